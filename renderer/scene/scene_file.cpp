@@ -1,0 +1,312 @@
+#include "renderer/scene/scene_file.hpp"
+
+#include "renderer/core/nearest_name.hpp"
+#include "renderer/core/text_value.hpp"
+#include "renderer/scene/light_reader.hpp"
+#include "renderer/scene/toml_reader.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace atrium {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr Range share{0.0f, 1.0f}, amount{0.0f, 1e9f}, any_angle{-3600.0f, 3600.0f}, scales{1e-6f, 1e6f};
+constexpr Range any_number{std::numeric_limits<float>::lowest(), std::numeric_limits<float>::max()};
+
+fs::path beside(const fs::path& file, const std::string& name)
+{
+    return (file.parent_path() / name).lexically_normal();
+}
+
+// ---- settings
+
+/// A number or word as --set takes it; the settings themselves judge it.
+std::optional<std::string> as_set_text(const toml::node& node)
+{
+    if (auto text = node.value_exact<std::string>()) return text;
+    if (const auto value = node.value_exact<bool>()) return to_text(*value);
+    if (const auto value = node.value_exact<std::int64_t>()) return fmt::format("{}", *value);
+    if (const auto value = node.value_exact<double>()) return fmt::format("{}", *value);
+    const toml::array* array = node.as_array();
+    if (array == nullptr || array->size() != 3) return std::nullopt;
+    std::string text;
+    for (const toml::node& component : *array) {
+        if (!component.is_number()) return std::nullopt;
+        text += fmt::format("{}{}", text.empty() ? "" : ":", *as_set_text(component));
+    }
+    return text;
+}
+
+void flatten(const fs::path& file, const toml::table& table, const std::string& prefix, int depth,
+             std::vector<SettingText>& out)
+{
+    constexpr int deepest = 4; // no key has as many parts
+    for (const TomlEntry& entry : in_file_order(table)) {
+        const std::string key = prefix + entry.key;
+        const std::string where = where_in(file, entry.source);
+        if (const toml::table* inner = entry.node->as_table(); inner != nullptr && depth < deepest) {
+            flatten(file, *inner, key + ".", depth + 1, out);
+        } else if (auto text = as_set_text(*entry.node)) {
+            out.push_back({key, std::move(*text), where});
+        } else {
+            throw Error(ExitCode::input, fmt::format("bad value of the setting \"{}\"", key), where,
+                        fmt::format("expected a string, a number, a boolean or an array of three numbers, found {}",
+                                    kind_of(*entry.node)),
+                        "\"atrium settings\" lists all settings and their values");
+        }
+    }
+}
+
+// ---- the other tables
+
+Camera read_camera(const TomlReader& in)
+{
+    Camera camera;
+    camera.eye = in.required_vector("eye", world_range);
+    camera.target = in.required_vector("target", world_range);
+    camera.fov = in.number("fov", any_number).value_or(60.0f);
+    check_camera(camera, ExitCode::input, in.where(camera.eye == camera.target ? "target" : "fov"));
+    return camera;
+}
+
+std::vector<std::string> keys_of(LightType type)
+{
+    Light light = default_light(type);
+    SettingList list;
+    describe(list, light);
+    std::vector<std::string> keys{"type"};
+    for (const Setting& setting : list.all()) keys.push_back(setting.key);
+    return keys;
+}
+
+/// The keys that the light in `table` may have; without a usable type, those of all types.
+std::vector<std::string> light_keys(const toml::table& table)
+{
+    constexpr std::array types{LightType::sun, LightType::spot, LightType::point, LightType::rect};
+    std::vector<std::string> all;
+    for (const LightType type : types) {
+        std::vector<std::string> keys = keys_of(type);
+        if (table["type"].value_or(std::string_view()) == to_string(type)) return keys;
+        for (std::string& key : keys) {
+            if (std::find(all.begin(), all.end(), key) == all.end()) all.push_back(std::move(key));
+        }
+    }
+    return all;
+}
+
+/// The value as a SPEC's text, of the TOML type that the key wants.
+std::string spec_text(const TomlReader& in, const Setting& setting)
+{
+    if (std::holds_alternative<bool*>(setting.field)) return to_text(*in.on_off(setting.key));
+    if (std::holds_alternative<float*>(setting.field)) return to_text(*in.number(setting.key, any_number));
+    if (std::holds_alternative<vec3*>(setting.field)) return to_text(*in.vector(setting.key, any_number));
+    return *in.text(setting.key);
+}
+
+Light read_light(const fs::path& file, const toml::table& table)
+{
+    const TomlReader in(file, table, "a light", light_keys(table));
+    const std::string type = in.required_text("type");
+    LightReader light(type, ExitCode::input, in.where("type"));
+    for (const TomlEntry& entry : in_file_order(table)) {
+        if (entry.key == "type") continue;
+        light.set(entry.key, spec_text(in, *light.keys().find(entry.key)), in.where(entry.key));
+    }
+    return light.finish();
+}
+
+InstanceEntry read_instance(const fs::path& file, const toml::table& table, const fs::path& scene_bake)
+{
+    const TomlReader in(file, table, "an instance", {"bake", "mesh", "position", "rotation", "scale"});
+    InstanceEntry instance;
+    const auto bake = in.text("bake");
+    instance.bake = bake ? beside(file, *bake) : scene_bake;
+    instance.mesh = in.text("mesh").value_or("");
+    instance.position = in.vector("position", world_range).value_or(vec3(0));
+    instance.rotation = in.vector("rotation", any_angle).value_or(vec3(0));
+    instance.scale = in.number("scale", scales).value_or(1.0f);
+    return instance;
+}
+
+std::optional<MaterialClass> read_class(const TomlReader& in)
+{
+    const auto text = in.text("class");
+    if (!text) return std::nullopt;
+    std::vector<std::string> names;
+    for (int i = 0; i < material_class_count; ++i) {
+        names.emplace_back(to_string(static_cast<MaterialClass>(i)));
+        if (names.back() == *text) return static_cast<MaterialClass>(i);
+    }
+    in.fail("class", fmt::format("the classes are {}", fmt::join(names, ", ")),
+            fmt::format("did you mean \"{}\"?", nearest_name(*text, names)));
+}
+
+MaterialOverride read_material(const fs::path& file, const toml::table& table)
+{
+    const TomlReader in(file, table, "a material override",
+                        {"match", "class", "base_color", "roughness", "metallic", "specular", "emission"});
+    MaterialOverride o;
+    o.match = in.required_text("match");
+    o.cls = read_class(in);
+    o.base_color = in.vector("base_color", share);
+    o.roughness = in.number("roughness", share);
+    o.metallic = in.number("metallic", share);
+    o.specular = in.number("specular", share);
+    o.emission = in.vector("emission", amount);
+    return o;
+}
+
+std::vector<CameraKey> read_path(const fs::path& file, const toml::table& table, const std::string& name)
+{
+    const TomlReader in(file, table, fmt::format("path \"{}\"", name), {"keys"});
+    std::vector<CameraKey> keys;
+    for (const toml::table* key_table : in.tables("keys")) {
+        const TomlReader key(file, *key_table, fmt::format("a key of path \"{}\"", name), {"time", "eye", "target"});
+        keys.push_back({key.required_number("time", any_number), key.required_vector("eye", world_range),
+                        key.required_vector("target", world_range)});
+        check_camera({keys.back().eye, keys.back().target, 60.0f}, ExitCode::input, key.where("target"));
+        if (keys.size() > 1 && !(keys[keys.size() - 2].time < keys.back().time)) {
+            key.fail("time", "it is not later than that of the key before", "order the keys by time");
+        }
+    }
+    if (keys.empty()) {
+        throw Error(ExitCode::input, fmt::format("path \"{}\" has no keys", name), in.where("keys"),
+                    "a path needs at least one", "add keys = [{ time = 0.0, eye = […], target = […] }]");
+    }
+    return keys;
+}
+
+/// A table whose keys are names that the user chose: [camera.NAME], [path.NAME].
+template <class F>
+void for_each_named(const TomlReader& root, const char* key, F&& read)
+{
+    const toml::table* table = root.subtable(key);
+    if (table == nullptr) return;
+    for (const TomlEntry& entry : in_file_order(*table)) {
+        const toml::table* inner = entry.node->as_table();
+        if (inner == nullptr) {
+            throw Error(ExitCode::input, fmt::format("bad value of \"{}\" in \"{}\"", entry.key, key),
+                        where_in(root.file(), entry.source),
+                        fmt::format("expected a table, found {}", kind_of(*entry.node)),
+                        fmt::format("write [{}.NAME] and its keys below", key));
+        }
+        read(entry.key, *inner);
+    }
+}
+
+/// All of a settings file: keys stand alone or below [settings].
+std::vector<SettingText> settings_of(const toml::table& table, const fs::path& file)
+{
+    std::vector<SettingText> settings;
+    flatten(file, table, "", 0, settings);
+    for (SettingText& setting : settings) {
+        constexpr std::string_view prefix = "settings.";
+        if (setting.key.starts_with(prefix)) setting.key.erase(0, prefix.size());
+    }
+    return settings;
+}
+
+} // namespace
+
+SceneFile read_scene_file(const fs::path& file)
+{
+    const toml::table table = parse_toml(file);
+    const TomlReader root(file, table, "the scene file",
+                          {"bake", "settings", "camera", "light", "instance", "material", "path"});
+    SceneFile scene;
+    scene.path = file;
+    if (const std::string bake = root.required_text("bake"); !bake.empty()) {
+        scene.bake = beside(file, bake);
+    } else {
+        root.fail("bake", "it is empty", "name the baked scene, relative to this file");
+    }
+    if (const toml::table* settings = root.subtable("settings")) flatten(file, *settings, "", 0, scene.settings);
+    for_each_named(root, "camera", [&](const std::string& name, const toml::table& camera) {
+        const TomlReader in(file, camera, fmt::format("camera \"{}\"", name), {"eye", "target", "fov"});
+        scene.cameras.emplace_back(name, read_camera(in));
+    });
+    for (const toml::table* light : root.tables("light")) {
+        scene.lights.push_back(read_light(file, *light));
+    }
+    for (const toml::table* instance : root.tables("instance")) {
+        scene.instances.push_back(read_instance(file, *instance, scene.bake));
+    }
+    for (const toml::table* material : root.tables("material")) {
+        scene.materials.push_back(read_material(file, *material));
+    }
+    for_each_named(root, "path", [&](const std::string& name, const toml::table& path) {
+        scene.paths[name] = read_path(file, path, name);
+    });
+    return scene;
+}
+
+FrameConfig parse_frame_config(std::string_view text, const fs::path& file)
+{
+    const toml::table table = parse_toml_text(text, file);
+    const TomlReader root(file, table, "the description of a frame",
+                          {"width", "height", "time", "lights", "camera", "settings"});
+    FrameConfig config;
+    if (const toml::table* settings = root.subtable("settings")) flatten(file, *settings, "", 0, config.settings);
+    if (const toml::table* camera = root.subtable("camera")) {
+        config.camera = read_camera(TomlReader(file, *camera, "the camera", {"eye", "target", "fov"}));
+    }
+    const Range pixels{1, 16384};
+    const auto width = root.number("width", pixels), height = root.number("height", pixels);
+    if (width && height) config.size = uvec2(*width, *height);
+    if (const auto time = root.number("time", any_number)) config.time = *time;
+    if (const toml::array* lights = table["lights"].as_array()) {
+        config.lights.emplace();
+        for (const toml::node& light : *lights)
+            config.lights->push_back(parse_light(light.value_or(std::string_view())));
+    }
+    return config;
+}
+
+std::vector<SettingText> read_settings_file(const fs::path& file)
+{
+    return settings_of(parse_toml(file), file);
+}
+
+std::vector<SettingText> parse_settings(std::string_view text, const fs::path& file)
+{
+    return settings_of(parse_toml_text(text, file), file);
+}
+
+bool matches_pattern(std::string_view pattern, std::string_view name)
+{
+    // On a mismatch, the last star takes one character more: linear in memory, at worst the product in time.
+    std::size_t p = 0, n = 0, star = std::string_view::npos, star_n = 0;
+    while (n < name.size()) {
+        if (p < pattern.size() && pattern[p] == '*') {
+            star = p++;
+            star_n = n;
+        } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n])) {
+            ++p;
+            ++n;
+        } else if (star != std::string_view::npos) {
+            p = star + 1;
+            n = ++star_n;
+        } else {
+            return false;
+        }
+    }
+    while (p < pattern.size() && pattern[p] == '*') ++p;
+    return p == pattern.size();
+}
+
+void apply(const MaterialOverride& o, Material& material)
+{
+    if (o.cls) material.cls = *o.cls;
+    if (o.base_color) material.base_color = *o.base_color;
+    if (o.roughness) material.roughness = *o.roughness;
+    if (o.metallic) material.metallic = *o.metallic;
+    if (o.specular) material.specular = *o.specular;
+    if (o.emission) material.emission = *o.emission;
+}
+
+} // namespace atrium

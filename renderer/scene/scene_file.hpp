@@ -1,0 +1,79 @@
+#pragma once
+// Scene files: TOML that names a bake, settings, cameras, lights, instances, material overrides and camera paths.
+
+#include "renderer/scene/camera.hpp"
+#include "renderer/scene/light.hpp"
+#include "renderer/scene/scene.hpp"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace atrium {
+
+/// A value of [settings] as text, with the place it stood at for error messages.
+struct SettingText {
+    std::string key, value, where; ///< where: "file:line"
+};
+
+struct InstanceEntry {
+    std::filesystem::path bake; ///< resolved against the scene file's folder; the scene's own when none is given
+    std::string mesh;           ///< one mesh of it; empty: all
+    vec3 position{0};
+    vec3 rotation{0}; ///< degrees about x, y, z, applied in that order
+    float scale = 1;
+};
+
+struct MaterialOverride {
+    std::string match; ///< pattern with * and ? against material names
+    std::optional<MaterialClass> cls;
+    std::optional<vec3> base_color;
+    std::optional<float> roughness, metallic, specular;
+    std::optional<vec3> emission;
+};
+
+struct CameraKey {
+    float time = 0;
+    vec3 eye{0}, target{0};
+};
+
+struct SceneFile {
+    std::filesystem::path path, bake;
+    std::vector<SettingText> settings;
+    std::vector<std::pair<std::string, Camera>> cameras; ///< in file order; the first is the default
+    std::vector<Light> lights;                           ///< in file order, not yet named by index
+    std::vector<InstanceEntry> instances;
+    std::vector<MaterialOverride> materials;
+    std::map<std::string, std::vector<CameraKey>> paths;
+};
+
+/// Throws Error(input) with file:line on bad TOML, wrong types, unknown keys (with the nearest valid name).
+[[nodiscard]] SceneFile read_scene_file(const std::filesystem::path& file);
+
+/// The settings of a file for --config: its [settings] table and its top-level keys, in file order. Throws as above.
+[[nodiscard]] std::vector<SettingText> read_settings_file(const std::filesystem::path& file);
+/// The same from memory; `file` names it in messages.
+[[nodiscard]] std::vector<SettingText> parse_settings(std::string_view text, const std::filesystem::path& file);
+
+/// What a picture says about itself: all that is needed to draw it again, but the scene.
+struct FrameConfig {
+    std::vector<SettingText> settings;
+    std::optional<Camera> camera;
+    std::optional<std::vector<Light>> lights;
+    std::optional<uvec2> size;
+    std::optional<double> time;
+};
+/// Reads TOML with the keys width, height, time, lights = [SPEC…], [camera] and [settings]; throws Error(input).
+[[nodiscard]] FrameConfig parse_frame_config(std::string_view text, const std::filesystem::path& file);
+
+/// `name` against a pattern of *, ? and plain characters.
+[[nodiscard]] bool matches_pattern(std::string_view pattern, std::string_view name);
+
+/// Writes the fields that are set into a material.
+void apply(const MaterialOverride& o, Material& material);
+
+} // namespace atrium

@@ -1,0 +1,62 @@
+#ifndef SHARED_CULLING_H
+#define SHARED_CULLING_H
+#include "types.h"
+SHARED_BEGIN
+
+const uint cull_frustum = 1, cull_cone = 2;
+const uint cull_group_size = 64;
+
+/// A cluster of a record: one command of the indirect multi-draw.
+struct DrawTask {
+    uint record;
+    uint cluster;
+    uint slot; // first of its indices in a buffer with room for those of every task
+};
+
+struct DrawCommand { // VkDrawIndexedIndirectCommand
+    uint index_count;
+    uint instance_count;
+    uint first_index;
+    int vertex_offset;
+    uint first_instance;
+};
+
+struct CullPush {
+    uint count;
+    uint flags;
+};
+
+/// A vertex as the bake holds it; see atrium::Vertex.
+struct PackedVertex {
+    vec3 position;
+    uint normal;
+    uint tangent;
+    vec2 uv;
+};
+
+const uint pyramid_levels = 3;
+const uint pyramid_base = 8; // pixels along the side of a cell of level 0
+const uint pyramid_step = 4; // cells of a level along the side of a cell of the next
+const uint pyramid_group_size = 64;
+
+/// A level of the depth pyramid: rows of cells, each the smallest (farthest) reversed depth under it.
+struct PyramidLevel {
+    uvec2 cells;
+    uint first; // of its cells in the pyramid's buffer
+};
+
+struct PyramidPush {
+    PyramidLevel source; // not used for level 0, which reads the depth image
+    PyramidLevel target;
+};
+
+struct LateCullPush {
+    CullPush cull;
+    PyramidLevel levels[pyramid_levels];
+};
+
+SHARED_END
+#ifdef __cplusplus
+static_assert(sizeof(atrium::shared::DrawCommand) == 20);
+#endif
+#endif

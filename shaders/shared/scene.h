@@ -1,0 +1,50 @@
+// The scene's tables in device memory.
+#ifndef SHARED_SCENE_H
+#define SHARED_SCENE_H
+#include "types.h"
+SHARED_BEGIN
+
+const uint no_texture_slot = 0xffffu;
+
+const uint material_clamps = 0x10000u; // in GpuMaterial::slots.w: textures clamp to edge instead of repeating
+
+/// A material in 48 bytes, as it travels from vertex to fragment stage.
+struct GpuMaterial {
+    vec4 base;    // base colour, opacity
+    vec4 surface; // perceptual roughness, metallic, dielectric F0, alpha cutoff
+    uvec4 slots;  // 16-bit slots of the texture table, or no_texture_slot: base colour | normal << 16,
+                  // surface | emission << 16; emission in halves: rg, b in the low half beside material_clamps
+};
+
+const uint record_moves = 1; // prev_from_object differs from world_from_object
+const uint record_two_sided = 2;
+
+/// One mesh of one instance: what a draw's first instance index points to.
+struct GpuRecord {
+    vec4 world_rows[3];    // rows of world_from_object
+    vec4 prev_rows[3];     // the same one frame earlier
+    uint material;
+    uint mesh;
+    uint instance;
+    uint flags;
+    float max_scale;       // largest scale of world_from_object, for bounding spheres
+    int vertex_offset;     // of its bake's vertices in the common buffer
+};
+
+/// Bounds of a run of triangles, in object space; see atrium::Cluster for the cone's rule.
+struct GpuCluster {
+    vec3 centre;
+    float radius;
+    vec3 cone_axis;
+    float cone_cutoff;
+    uint first_index;
+    uint index_count;
+};
+
+SHARED_END
+#ifdef __cplusplus
+static_assert(sizeof(atrium::shared::GpuMaterial) == 48);
+static_assert(sizeof(atrium::shared::GpuRecord) == 120);
+static_assert(sizeof(atrium::shared::GpuCluster) == 40);
+#endif
+#endif
