@@ -1,0 +1,17 @@
+#pragma once
+// Which meshes are seen from both sides.
+
+#include "assetconv/triangles.hpp"
+
+namespace atrium {
+
+enum class TwoSided : std::uint8_t { automatic, on, off };
+
+/// Share of a mesh's triangles that must wind as the file's normals say for the mesh to be one-sided.
+inline constexpr double winding_agreement = 0.99;
+
+/// The rule for a mesh of an opaque material: two-sided unless winding and the file's normals agree on at least
+/// winding_agreement of its triangles. A triangle without normals agrees with nothing.
+[[nodiscard]] bool winding_is_unreliable(const SourceScene& scene, const SourceMesh& mesh);
+
+} // namespace atrium
