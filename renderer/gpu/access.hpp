@@ -1,0 +1,44 @@
+#pragma once
+// The few ways in which a pass may use an image or a buffer, and what each means to Vulkan. The frame graph derives
+// every barrier from this table and from nothing else.
+
+#include <vulkan/vulkan_core.h>
+
+#include <cstdint>
+
+namespace atrium::gpu {
+
+enum class Access : std::uint8_t {
+    none,             ///< never used yet; contents undefined
+    color_write,      ///< colour attachment, written whole or blended (read and write)
+    depth_write,      ///< depth attachment with test and write
+    depth_read,       ///< depth attachment, test only; may be sampled in the same pass
+    sampled_fragment, ///< sampled image or read-only storage buffer in fragment shaders
+    sampled_compute,  ///< the same in compute shaders
+    sampled_vertex,   ///< the same in vertex, tessellation and geometry shaders
+    storage_write,    ///< storage image or buffer in compute shaders: written, perhaps read too
+    indirect_read,    ///< indirect commands or their count
+    index_read,
+    vertex_read,
+    transfer_read,
+    transfer_write,
+    host_read, ///< after the GPU has finished, by the CPU
+    present,   ///< handed to the window system
+    count
+};
+
+struct AccessInfo {
+    const char* name;
+    VkPipelineStageFlags2 stages;
+    VkAccessFlags2 access; ///< all of them
+    VkAccessFlags2 writes; ///< the writing ones among them; 0 for a read
+    VkImageLayout layout;  ///< for images; UNDEFINED where an access makes sense for buffers only
+};
+
+[[nodiscard]] const AccessInfo& info(Access access);
+[[nodiscard]] inline bool is_write(Access access)
+{
+    return info(access).writes != 0;
+}
+
+} // namespace atrium::gpu

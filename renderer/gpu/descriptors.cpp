@@ -1,0 +1,250 @@
+#include "renderer/gpu/descriptors.hpp"
+
+#include "renderer/core/error.hpp"
+#include "renderer/gpu/result.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace atrium::gpu {
+namespace {
+
+constexpr std::uint32_t sampler_count = static_cast<std::uint32_t>(SamplerSlot::count);
+constexpr std::uint32_t frame_bindings = static_cast<std::uint32_t>(FrameBinding::count);
+constexpr VkDescriptorBindingFlags partial = VK_DESCRIPTOR_BINDING_PARTIALLY_BOUND_BIT;
+constexpr VkDescriptorBindingFlags live = partial | VK_DESCRIPTOR_BINDING_UPDATE_AFTER_BIND_BIT;
+
+VkDescriptorSetLayout create_layout(VkDevice device, std::span<const VkDescriptorSetLayoutBinding> bindings,
+                                    VkDescriptorBindingFlags flag)
+{
+    const std::vector<VkDescriptorBindingFlags> flags(bindings.size(), flag);
+    VkDescriptorSetLayoutBindingFlagsCreateInfo with_flags{
+        VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_BINDING_FLAGS_CREATE_INFO};
+    with_flags.bindingCount = static_cast<std::uint32_t>(flags.size());
+    with_flags.pBindingFlags = flags.data();
+    VkDescriptorSetLayoutCreateInfo create{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
+    create.pNext = &with_flags;
+    if (flag & VK_DESCRIPTOR_BINDING_UPDATE_AFTER_BIND_BIT) {
+        create.flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_UPDATE_AFTER_BIND_POOL_BIT;
+    }
+    create.bindingCount = static_cast<std::uint32_t>(bindings.size());
+    create.pBindings = bindings.data();
+    VkDescriptorSetLayout layout = VK_NULL_HANDLE;
+    check(vkCreateDescriptorSetLayout(device, &create, nullptr, &layout), "create a descriptor set layout");
+    return layout;
+}
+
+VkDescriptorSetLayout texture_layout(VkDevice device)
+{
+    const std::array<VkDescriptorSetLayoutBinding, 2> bindings{{
+        {0, VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, Descriptors::texture_capacity, VK_SHADER_STAGE_ALL, nullptr},
+        {1, VK_DESCRIPTOR_TYPE_SAMPLER, sampler_count, VK_SHADER_STAGE_ALL, nullptr},
+    }};
+    return create_layout(device, bindings, live);
+}
+
+VkDescriptorSetLayout frame_layout(VkDevice device)
+{
+    std::vector<VkDescriptorSetLayoutBinding> bindings;
+    for (std::uint32_t i = 0; i < frame_bindings; ++i) {
+        const auto type = i == 0 ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+        bindings.push_back({i, type, 1, VK_SHADER_STAGE_ALL, nullptr});
+    }
+    return create_layout(device, bindings, partial);
+}
+
+VkDescriptorSetLayout pass_layout(VkDevice device)
+{
+    std::vector<VkDescriptorSetLayoutBinding> bindings;
+    for (std::uint32_t i = 0; i < Descriptors::max_pass_images + Descriptors::max_pass_buffers; ++i) {
+        const auto type =
+            i < Descriptors::max_pass_images ? VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+        bindings.push_back({i, type, 1, VK_SHADER_STAGE_ALL, nullptr});
+    }
+    return create_layout(device, bindings, partial);
+}
+
+VkDescriptorPool create_pool(VkDevice device, std::uint32_t sets, std::span<const VkDescriptorPoolSize> sizes,
+                             VkDescriptorPoolCreateFlags flags)
+{
+    VkDescriptorPoolCreateInfo create{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+    create.flags = flags;
+    create.maxSets = sets;
+    create.poolSizeCount = static_cast<std::uint32_t>(sizes.size());
+    create.pPoolSizes = sizes.data();
+    VkDescriptorPool pool = VK_NULL_HANDLE;
+    check(vkCreateDescriptorPool(device, &create, nullptr, &pool), "create a descriptor pool");
+    return pool;
+}
+
+VkDescriptorSet allocate_set(VkDevice device, VkDescriptorPool pool, const VkDescriptorSetLayout& layout)
+{
+    VkDescriptorSetAllocateInfo allocate{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
+    allocate.descriptorPool = pool;
+    allocate.descriptorSetCount = 1;
+    allocate.pSetLayouts = &layout;
+    VkDescriptorSet set = VK_NULL_HANDLE;
+    check(vkAllocateDescriptorSets(device, &allocate, &set), "allocate a descriptor set");
+    return set;
+}
+
+VkSampler create_sampler(VkDevice device, VkFilter filter, VkSamplerAddressMode address, float anisotropy,
+                         float mip_bias)
+{
+    VkSamplerCreateInfo create{VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
+    create.magFilter = create.minFilter = filter;
+    create.mipmapMode = filter == VK_FILTER_LINEAR ? VK_SAMPLER_MIPMAP_MODE_LINEAR : VK_SAMPLER_MIPMAP_MODE_NEAREST;
+    create.addressModeU = create.addressModeV = create.addressModeW = address;
+    create.mipLodBias = mip_bias;
+    create.anisotropyEnable = anisotropy > 1;
+    create.maxAnisotropy = std::max(anisotropy, 1.0f);
+    create.maxLod = VK_LOD_CLAMP_NONE;
+    VkSampler sampler = VK_NULL_HANDLE;
+    check(vkCreateSampler(device, &create, nullptr, &sampler), "create a sampler");
+    return sampler;
+}
+
+VkWriteDescriptorSet write_of(VkDescriptorSet set, std::uint32_t binding, std::uint32_t element, VkDescriptorType type)
+{
+    VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+    write.dstSet = set;
+    write.dstBinding = binding;
+    write.dstArrayElement = element;
+    write.descriptorCount = 1;
+    write.descriptorType = type;
+    return write;
+}
+
+} // namespace
+
+Descriptors::Descriptors(const Device& device)
+    : device_(device), layouts_{texture_layout(device.handle()), frame_layout(device.handle()),
+                                pass_layout(device.handle())}
+{
+    const std::array<VkDescriptorPoolSize, 4> table_sizes{{
+        {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, texture_capacity},
+        {VK_DESCRIPTOR_TYPE_SAMPLER, sampler_count},
+        {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1},
+        {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, frame_bindings - 1},
+    }};
+    table_pool_ = create_pool(device.handle(), 2, table_sizes, VK_DESCRIPTOR_POOL_CREATE_UPDATE_AFTER_BIND_BIT);
+    textures_ = allocate_set(device.handle(), table_pool_, layouts_[0]);
+    frame_ = allocate_set(device.handle(), table_pool_, layouts_[1]);
+    const std::array<VkDescriptorPoolSize, 2> pass_sizes{{
+        {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, max_pass_images * max_passes},
+        {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, max_pass_buffers * max_passes},
+    }};
+    pass_pool_ = create_pool(device.handle(), max_passes, pass_sizes, 0);
+
+    const VkPushConstantRange push{VK_SHADER_STAGE_ALL, 0, push_bytes};
+    VkPipelineLayoutCreateInfo create{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
+    create.setLayoutCount = static_cast<std::uint32_t>(layouts_.size());
+    create.pSetLayouts = layouts_.data();
+    create.pushConstantRangeCount = 1;
+    create.pPushConstantRanges = &push;
+    check(vkCreatePipelineLayout(device.handle(), &create, nullptr, &pipeline_layout_), "create the pipeline layout");
+
+    constexpr auto clamp = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+    write_sampler(SamplerSlot::linear_clamp, create_sampler(device.handle(), VK_FILTER_LINEAR, clamp, 1, 0));
+    write_sampler(SamplerSlot::nearest_clamp, create_sampler(device.handle(), VK_FILTER_NEAREST, clamp, 1, 0));
+    set_material_filter(1, 0);
+}
+
+Descriptors::~Descriptors()
+{
+    for (VkSampler sampler : samplers_) vkDestroySampler(device_.handle(), sampler, nullptr);
+    vkDestroyPipelineLayout(device_.handle(), pipeline_layout_, nullptr);
+    vkDestroyDescriptorPool(device_.handle(), pass_pool_, nullptr);
+    vkDestroyDescriptorPool(device_.handle(), table_pool_, nullptr);
+    for (VkDescriptorSetLayout layout : layouts_) vkDestroyDescriptorSetLayout(device_.handle(), layout, nullptr);
+}
+
+TextureSlot Descriptors::add_texture(const Image& image)
+{
+    TextureSlot slot = used_textures_;
+    if (!free_textures_.empty()) {
+        slot = free_textures_.back();
+        free_textures_.pop_back();
+    } else if (used_textures_++ == texture_capacity) {
+        throw Error(ExitCode::environment, "the scene has too many textures", "",
+                    fmt::format("the table holds {}", texture_capacity), "bake a scene with fewer");
+    }
+    const VkDescriptorImageInfo info{VK_NULL_HANDLE, image.view(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+    VkWriteDescriptorSet write = write_of(textures_, 0, slot, VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE);
+    write.pImageInfo = &info;
+    vkUpdateDescriptorSets(device_.handle(), 1, &write, 0, nullptr);
+    return slot;
+}
+
+void Descriptors::write_sampler(SamplerSlot slot, VkSampler sampler)
+{
+    VkSampler& owned = samplers_[static_cast<std::size_t>(slot)];
+    if (owned) vkDestroySampler(device_.handle(), owned, nullptr);
+    owned = sampler;
+    const VkDescriptorImageInfo info{sampler, VK_NULL_HANDLE, VK_IMAGE_LAYOUT_UNDEFINED};
+    VkWriteDescriptorSet write = write_of(textures_, 1, static_cast<std::uint32_t>(slot), VK_DESCRIPTOR_TYPE_SAMPLER);
+    write.pImageInfo = &info;
+    vkUpdateDescriptorSets(device_.handle(), 1, &write, 0, nullptr);
+}
+
+void Descriptors::set_material_filter(float anisotropy, float mip_bias)
+{
+    anisotropy = std::clamp(anisotropy, 1.0f, device_.max_anisotropy());
+    if (anisotropy == anisotropy_ && mip_bias == mip_bias_) return;
+    anisotropy_ = anisotropy;
+    mip_bias_ = mip_bias;
+    constexpr auto repeat = VK_SAMPLER_ADDRESS_MODE_REPEAT, clamp = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+    write_sampler(SamplerSlot::material,
+                  create_sampler(device_.handle(), VK_FILTER_LINEAR, repeat, anisotropy, mip_bias));
+    write_sampler(SamplerSlot::material_clamp,
+                  create_sampler(device_.handle(), VK_FILTER_LINEAR, clamp, anisotropy, mip_bias));
+}
+
+void Descriptors::set_frame_buffer(FrameBinding binding, const Buffer& buffer)
+{
+    const VkDescriptorBufferInfo info{buffer.handle(), 0, VK_WHOLE_SIZE};
+    const auto type =
+        binding == FrameBinding::constants ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    VkWriteDescriptorSet write = write_of(frame_, static_cast<std::uint32_t>(binding), 0, type);
+    write.pBufferInfo = &info;
+    vkUpdateDescriptorSets(device_.handle(), 1, &write, 0, nullptr);
+}
+
+void Descriptors::begin_frame()
+{
+    vkResetDescriptorPool(device_.handle(), pass_pool_, 0);
+}
+
+void Descriptors::bind_frame(VkCommandBuffer cmd) const
+{
+    const std::array sets{textures_, frame_};
+    for (const auto point : {VK_PIPELINE_BIND_POINT_GRAPHICS, VK_PIPELINE_BIND_POINT_COMPUTE}) {
+        vkCmdBindDescriptorSets(cmd, point, pipeline_layout_, 0, static_cast<std::uint32_t>(sets.size()), sets.data(),
+                                0, nullptr);
+    }
+}
+
+void Descriptors::bind_pass(VkCommandBuffer cmd, VkPipelineBindPoint point, std::span<const PassImage> images,
+                            std::span<const VkBuffer> buffers)
+{
+    if (images.empty() && buffers.empty()) return;
+    const VkDescriptorSet set = allocate_set(device_.handle(), pass_pool_, layouts_[2]);
+    std::array<VkDescriptorImageInfo, max_pass_images> image_infos{};
+    std::array<VkDescriptorBufferInfo, max_pass_buffers> buffer_infos{};
+    std::vector<VkWriteDescriptorSet> writes;
+    for (std::uint32_t i = 0; i < images.size(); ++i) {
+        image_infos.at(i) = {VK_NULL_HANDLE, images[i].view, images[i].layout};
+        writes.push_back(write_of(set, i, 0, VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE));
+        writes.back().pImageInfo = &image_infos[i];
+    }
+    for (std::uint32_t i = 0; i < buffers.size(); ++i) {
+        buffer_infos.at(i) = {buffers[i], 0, VK_WHOLE_SIZE};
+        writes.push_back(write_of(set, max_pass_images + i, 0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER));
+        writes.back().pBufferInfo = &buffer_infos[i];
+    }
+    vkUpdateDescriptorSets(device_.handle(), static_cast<std::uint32_t>(writes.size()), writes.data(), 0, nullptr);
+    vkCmdBindDescriptorSets(cmd, point, pipeline_layout_, 2, 1, &set, 0, nullptr);
+}
+
+} // namespace atrium::gpu

@@ -1,0 +1,83 @@
+#pragma once
+// Pipelines, made on demand from small descriptions: keyed, cached in memory and (the driver's part) on disk.
+
+#include "renderer/gpu/descriptors.hpp"
+#include "renderer/gpu/format.hpp"
+
+#include <compare>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace atrium::gpu {
+
+enum class VertexInput : std::uint8_t { none, scene }; ///< none: made from gl_VertexIndex; scene: atrium::Vertex
+enum class Blend : std::uint8_t { off, add, alpha };
+enum class DepthTest : std::uint8_t {
+    off,
+    greater_equal,
+    equal_zero
+}; ///< reversed depth; equal_zero: only where nothing was drawn
+
+/// What a pass draws with. The target formats come from the pass's attachments; cull mode is dynamic state.
+/// Shaders are named by their path below shaders/.
+struct GraphicsPipelineDesc {
+    std::string vertex, fragment;
+    VertexInput input = VertexInput::none;
+    Blend blend = Blend::off;
+    DepthTest depth_test = DepthTest::off;
+    bool depth_write = false;
+    std::vector<std::uint32_t> constants; ///< specialisation constants 0, 1, … of both stages
+    std::vector<Format> colors;           ///< filled in by the graph
+    Format depth = Format::none;          ///< filled in by the graph
+    auto operator<=>(const GraphicsPipelineDesc&) const = default;
+};
+
+struct ComputePipelineDesc {
+    std::string shader;
+    std::vector<std::uint32_t> constants;
+    auto operator<=>(const ComputePipelineDesc&) const = default;
+};
+
+/// SPIR-V of a shader by its path below shaders/; empty when there is none.
+using ShaderLookup = std::function<std::span<const std::uint32_t>(std::string_view name)>;
+
+class Pipelines {
+public:
+    /// `cache_folder`: where the driver's pipeline cache is kept; a stale or damaged file there is ignored.
+    Pipelines(const Device& device, const Descriptors& descriptors, ShaderLookup shaders,
+              const std::filesystem::path& cache_folder);
+    ~Pipelines(); ///< writes the cache back when it grew
+    Pipelines(const Pipelines&) = delete;
+    Pipelines& operator=(const Pipelines&) = delete;
+
+    /// Compiles those that do not exist yet, on all cores.
+    void prepare(std::span<const GraphicsPipelineDesc> graphics, std::span<const ComputePipelineDesc> compute);
+    [[nodiscard]] VkPipeline get(const GraphicsPipelineDesc& desc);
+    [[nodiscard]] VkPipeline get(const ComputePipelineDesc& desc);
+    [[nodiscard]] std::size_t count() const { return graphics_.size() + compute_.size(); }
+
+private:
+    [[nodiscard]] VkShaderModule module(const std::string& name);
+    [[nodiscard]] VkPipeline create(const GraphicsPipelineDesc& desc);
+    [[nodiscard]] VkPipeline create(const ComputePipelineDesc& desc);
+
+    const Device& device_;
+    const Descriptors& descriptors_;
+    ShaderLookup shaders_;
+    std::filesystem::path cache_file_;
+    VkPipelineCache cache_ = VK_NULL_HANDLE;
+    std::size_t cache_size_at_start_ = 0;
+    std::mutex mutex_;
+    std::map<std::string, VkShaderModule> modules_;
+    std::map<GraphicsPipelineDesc, VkPipeline> graphics_;
+    std::map<ComputePipelineDesc, VkPipeline> compute_;
+};
+
+} // namespace atrium::gpu

@@ -1,0 +1,97 @@
+// Recording: the thin layer between a pass and vkCmd….
+
+#include "renderer/graph/graph.hpp"
+#include "renderer/graph/runner.hpp"
+#include "renderer/graph/transients.hpp"
+
+namespace atrium::graph {
+
+void Cmd::push_bytes(const void* data, std::size_t size)
+{
+    vkCmdPushConstants(commands_, runner_.descriptors_.pipeline_layout(), VK_SHADER_STAGE_ALL, 0,
+                       static_cast<std::uint32_t>(size), data);
+}
+
+void Cmd::bind(std::size_t pipeline)
+{
+    const bool compute = pass_->kind == PassKind::compute;
+    vkCmdBindPipeline(commands_, compute ? VK_PIPELINE_BIND_POINT_COMPUTE : VK_PIPELINE_BIND_POINT_GRAPHICS,
+                      compute ? runner_.pipelines_.get(pass_->compute.at(pipeline))
+                              : runner_.pipelines_.get(pass_->graphics.at(pipeline)));
+    ++pipeline_binds_;
+}
+
+void Cmd::cull(CullMode mode)
+{
+    vkCmdSetCullMode(commands_, mode == CullMode::back ? VK_CULL_MODE_BACK_BIT : VK_CULL_MODE_NONE);
+}
+
+void Cmd::draw_fullscreen()
+{
+    vkCmdDraw(commands_, 3, 1, 0, 0);
+    ++draws_;
+}
+
+namespace {
+
+void bind_buffers(VkCommandBuffer commands, VkBuffer vertices, VkBuffer indices)
+{
+    const VkDeviceSize zero = 0;
+    vkCmdBindVertexBuffers(commands, 0, 1, &vertices, &zero);
+    vkCmdBindIndexBuffer(commands, indices, 0, VK_INDEX_TYPE_UINT32);
+}
+
+} // namespace
+
+void Cmd::bind_geometry(const gpu::Buffer& vertices, const gpu::Buffer& indices)
+{
+    bind_buffers(commands_, vertices.handle(), indices.handle());
+}
+
+void Cmd::bind_geometry(const gpu::Buffer& vertices, Buf indices)
+{
+    bind_buffers(commands_, vertices.handle(), runner_.buffer_of(indices.index));
+}
+
+void Cmd::draw_indexed(std::uint32_t first_index, std::uint32_t index_count, std::uint32_t first_instance)
+{
+    vkCmdDrawIndexed(commands_, index_count, 1, first_index, 0, first_instance);
+    ++draws_;
+}
+
+void Cmd::draw_indexed_indirect(Buf commands, std::uint32_t first, std::uint32_t count)
+{
+    constexpr std::uint32_t stride = sizeof(VkDrawIndexedIndirectCommand);
+    vkCmdDrawIndexedIndirect(commands_, runner_.buffer_of(commands.index), VkDeviceSize{first} * stride, count, stride);
+    ++draws_;
+}
+
+void Cmd::dispatch(std::uint32_t items, std::uint32_t group_size)
+{
+    vkCmdDispatch(commands_, (items + group_size - 1) / group_size, 1, 1);
+}
+
+void Cmd::copy(Tex from, Buf to)
+{
+    const TexDesc& desc = runner_.graph_->desc(from);
+    VkBufferImageCopy region{};
+    region.imageSubresource = {static_cast<VkImageAspectFlags>(gpu::is_depth(desc.format) ? VK_IMAGE_ASPECT_DEPTH_BIT
+                                                                                          : VK_IMAGE_ASPECT_COLOR_BIT),
+                               0, 0, 1};
+    region.imageExtent = {desc.width, desc.height, 1};
+    vkCmdCopyImageToBuffer(commands_, runner_.image_of(from.index), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                           runner_.buffer_of(to.index), 1, &region);
+}
+
+void Cmd::copy(Buf from, Buf to, std::uint64_t bytes)
+{
+    const VkBufferCopy region{0, 0, bytes};
+    vkCmdCopyBuffer(commands_, runner_.buffer_of(from.index), runner_.buffer_of(to.index), 1, &region);
+}
+
+void Cmd::fill(Buf buffer, std::uint32_t word)
+{
+    vkCmdFillBuffer(commands_, runner_.buffer_of(buffer.index), 0, VK_WHOLE_SIZE, word);
+}
+
+} // namespace atrium::graph

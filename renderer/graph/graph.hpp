@@ -1,0 +1,183 @@
+#pragma once
+// The frame as passes that declare what they read and write. A Graph is built anew each frame (microseconds); the
+// Runner plans it, keeps the memory of its transient images from frame to frame, and records it.
+
+#include "renderer/core/math.hpp"
+#include "renderer/gpu/pipelines.hpp"
+#include "renderer/gpu/resources.hpp"
+#include "renderer/graph/plan.hpp"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace atrium::graph {
+
+inline constexpr ResourceIndex no_resource = ~0u;
+
+/// An image of the graph.
+struct Tex {
+    ResourceIndex index = no_resource;
+    explicit operator bool() const { return index != no_resource; }
+};
+/// A buffer of the graph.
+struct Buf {
+    ResourceIndex index = no_resource;
+    explicit operator bool() const { return index != no_resource; }
+};
+
+struct TexDesc {
+    gpu::Format format = gpu::Format::none;
+    std::uint32_t width = 1, height = 1;
+    bool operator==(const TexDesc&) const = default;
+};
+
+enum class CullMode : std::uint8_t { none, back };
+enum class PassKind : std::uint8_t { raster, compute, transfer };
+
+class Runner;
+
+/// What a pass records with. Images and buffers that it declared are bound already (set 2, in order of declaration).
+class Cmd {
+public:
+    /// Push constants: one plain struct shared with the shader, at most gpu::Descriptors::push_bytes.
+    template <class T>
+    void push(const T& constants)
+    {
+        static_assert(sizeof(T) <= gpu::Descriptors::push_bytes);
+        push_bytes(&constants, sizeof(T));
+    }
+    void bind(std::size_t pipeline = 0); ///< the pass's n-th pipeline
+    void cull(CullMode mode);
+    void draw_fullscreen();
+    void bind_geometry(const gpu::Buffer& vertices, const gpu::Buffer& indices);
+    void bind_geometry(const gpu::Buffer& vertices, Buf indices);
+    void draw_indexed(std::uint32_t first_index, std::uint32_t index_count, std::uint32_t first_instance);
+    void draw_indexed_indirect(Buf commands, std::uint32_t first, std::uint32_t count);
+    void dispatch(std::uint32_t items, std::uint32_t group_size); ///< enough groups for so many items
+    void copy(Tex from, Buf to);                                  ///< all texels, rows tightly packed
+    void copy(Buf from, Buf to, std::uint64_t bytes);
+    void fill(Buf buffer, std::uint32_t word);
+
+    [[nodiscard]] VkCommandBuffer handle() const { return commands_; }
+
+private:
+    friend class Runner;
+    Cmd(Runner& runner, VkCommandBuffer commands) : runner_(runner), commands_(commands) {}
+    void push_bytes(const void* data, std::size_t size);
+    Runner& runner_;
+    VkCommandBuffer commands_;
+    const struct Pass* pass_ = nullptr;
+    std::uint32_t draws_ = 0, pipeline_binds_ = 0;
+};
+
+enum class Load : std::uint8_t {
+    discard, ///< every pixel is written
+    clear,
+    keep, ///< drawn over or blended with what is there
+};
+
+struct Attachment {
+    Tex texture;
+    Load load = Load::discard;
+    vec4 clear{0};
+};
+
+/// A declared pass. Built by PassBuilder.
+struct Pass {
+    std::string name;
+    PassKind kind = PassKind::raster;
+    std::vector<Use> uses;
+    std::vector<Attachment> colors;
+    std::optional<Attachment> depth;
+    bool depth_writes = false, side_effect = false;
+    std::vector<gpu::GraphicsPipelineDesc> graphics;
+    std::vector<gpu::ComputePipelineDesc> compute;
+    std::function<void(Cmd&)> record;
+};
+
+/// Chained declarations; see techniques/ for what they look like in use.
+class PassBuilder {
+public:
+    PassBuilder& reads(Tex texture); ///< sampled, at the next binding of set 2; transfer: copied from
+    PassBuilder& reads(Buf buffer);
+    PassBuilder& reads(Buf buffer, Access access);
+    PassBuilder& writes(Tex texture, Load load = Load::discard,
+                        vec4 clear = vec4(0)); ///< raster: the next colour target
+    /// All of it. Compute: storage, at the next buffer binding of set 2; transfer: copied to.
+    PassBuilder& writes(Buf buffer);
+    /// Part of it, or what is read too: what earlier passes wrote stays.
+    PassBuilder& updates(Buf buffer);
+    PassBuilder& depth(Tex texture, Load load, float clear = 0); ///< tested and written
+    PassBuilder& depth_test(Tex texture);                        ///< tested only
+    PassBuilder& pipeline(gpu::GraphicsPipelineDesc desc);
+    PassBuilder& pipeline(gpu::ComputePipelineDesc desc);
+    PassBuilder& always(); ///< runs although nobody reads what it writes
+    PassBuilder& record(std::function<void(Cmd&)> function);
+
+    /// A full-screen triangle with this fragment shader, its specialisation constants 0, 1, … and push constants.
+    PassBuilder& fullscreen(const std::string& fragment, std::vector<std::uint32_t> constants = {})
+    {
+        return fullscreen_pipeline(fragment, std::move(constants)).record([](Cmd& cmd) {
+            cmd.bind();
+            cmd.draw_fullscreen();
+        });
+    }
+    template <class Push>
+    PassBuilder& fullscreen(const std::string& fragment, std::vector<std::uint32_t> constants, const Push& push)
+    {
+        return fullscreen_pipeline(fragment, std::move(constants)).record([push](Cmd& cmd) {
+            cmd.bind();
+            cmd.push(push);
+            cmd.draw_fullscreen();
+        });
+    }
+
+private:
+    friend class Graph;
+    PassBuilder& fullscreen_pipeline(const std::string& fragment, std::vector<std::uint32_t> constants);
+    PassBuilder(class Graph& graph, std::size_t pass) : graph_(graph), pass_(pass) {}
+    Pass& pass();
+    Graph& graph_;
+    std::size_t pass_;
+};
+
+class Graph {
+public:
+    [[nodiscard]] Tex texture(std::string name, const TexDesc& desc);
+    /// A buffer of the frame, `bytes` long, in device memory.
+    [[nodiscard]] Buf buffer(std::string name, std::uint64_t bytes);
+    /// A buffer that outlives the frame, such as one the CPU reads afterwards. `initial`: how it was last used.
+    [[nodiscard]] Buf import(std::string name, const gpu::Buffer& buffer, Access initial = Access::none);
+    /// The resource's contents are wanted after the frame, in the state of `access`.
+    void keep(Buf buffer, Access access);
+
+    PassBuilder raster(std::string name) { return add(std::move(name), PassKind::raster); }
+    PassBuilder compute(std::string name) { return add(std::move(name), PassKind::compute); }
+    PassBuilder transfer(std::string name) { return add(std::move(name), PassKind::transfer); }
+
+    [[nodiscard]] const TexDesc& desc(Tex texture) const { return resources_[texture.index].desc; }
+    [[nodiscard]] std::optional<Tex> find(const std::string& name) const; ///< the image called so, if any
+
+private:
+    friend class PassBuilder;
+    friend class Runner;
+    struct Resource {
+        std::string name;
+        bool is_image = true;
+        TexDesc desc;
+        std::uint64_t bytes = 0;
+        const gpu::Buffer* imported = nullptr;
+        Access initial = Access::none;
+        bool keep = false;
+    };
+    PassBuilder add(std::string name, PassKind kind);
+    std::vector<Resource> resources_;
+    std::vector<Pass> passes_;
+    std::vector<FinalUse> finals_;
+};
+
+} // namespace atrium::graph

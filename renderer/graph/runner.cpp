@@ -1,0 +1,251 @@
+#include "renderer/graph/runner.hpp"
+
+#include "renderer/gpu/result.hpp"
+#include "renderer/graph/transients.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+
+namespace atrium::graph {
+namespace {
+
+constexpr std::uint32_t max_passes = 512;
+
+double ms_since(std::chrono::steady_clock::time_point start)
+{
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+} // namespace
+
+Runner::Runner(const gpu::Device& device, gpu::Descriptors& descriptors, gpu::Pipelines& pipelines)
+    : device_(device), descriptors_(descriptors), pipelines_(pipelines), timers_(device, max_passes),
+      transients_(std::make_unique<Transients>(device))
+{}
+
+Runner::~Runner() = default;
+
+GraphDesc Runner::describe(const Graph& graph)
+{
+    GraphDesc out;
+    for (std::size_t i = 0; i < graph.resources_.size(); ++i) {
+        const Graph::Resource& r = graph.resources_[i];
+        ResourceDesc desc;
+        desc.name = r.name;
+        desc.is_image = r.is_image;
+        desc.transient = r.imported == nullptr;
+        desc.keep = r.keep;
+        desc.initial = r.initial;
+        transients_->requirements(static_cast<ResourceIndex>(i), desc);
+        out.resources.push_back(std::move(desc));
+    }
+    for (const Pass& pass : graph.passes_) out.passes.push_back({pass.name, pass.uses, pass.side_effect});
+    return out;
+}
+
+void Runner::prepare_pipelines(Graph& graph)
+{
+    std::vector<gpu::GraphicsPipelineDesc> graphics;
+    std::vector<gpu::ComputePipelineDesc> compute;
+    for (const PlannedPass& planned : plan_.passes) {
+        Pass& pass = graph.passes_[planned.pass];
+        for (gpu::GraphicsPipelineDesc& desc : pass.graphics) {
+            desc.colors.clear();
+            for (const Attachment& color : pass.colors) desc.colors.push_back(graph.desc(color.texture).format);
+            desc.depth = pass.depth ? graph.desc(pass.depth->texture).format : gpu::Format::none;
+            graphics.push_back(desc);
+        }
+        compute.insert(compute.end(), pass.compute.begin(), pass.compute.end());
+    }
+    pipelines_.prepare(graphics, compute);
+}
+
+RunStats Runner::run(Graph& graph, gpu::TimerMode mode)
+{
+    RunStats stats;
+    const auto start = std::chrono::steady_clock::now();
+    transients_->create(graph.resources_.size(), [&](ResourceIndex i) {
+        const Graph::Resource& r = graph.resources_[i];
+        return TransientDesc{r.name, r.is_image, r.imported != nullptr, r.desc, r.bytes, usage_of(i, graph.passes_)};
+    });
+    described_ = describe(graph);
+    plan_ = make_plan(described_, graph.finals_);
+    transients_->place(plan_);
+    const auto planned = std::chrono::steady_clock::now();
+    prepare_pipelines(graph);
+    const double compile_ms = ms_since(planned);
+
+    graph_ = &graph;
+    timers_.reset();
+    device_.submit([&](VkCommandBuffer cmd) { record(cmd, graph, mode, stats); });
+    stats.cpu_ms = ms_since(start) - compile_ms;
+    device_.wait();
+    stats.wall_ms = ms_since(start) - compile_ms;
+    graph_ = nullptr;
+
+    const std::vector<gpu::PassTime> times = timers_.read();
+    for (std::size_t i = 0; i < times.size(); ++i) stats.passes[i].gpu_ms = times[i].ms;
+    return stats;
+}
+
+void Runner::record(VkCommandBuffer commands, Graph& graph, gpu::TimerMode mode, RunStats& stats)
+{
+    descriptors_.begin_frame();
+    descriptors_.bind_frame(commands);
+    for (const PlannedPass& planned : plan_.passes) {
+        const Pass& pass = graph.passes_[planned.pass];
+        device_.begin_label(commands, pass.name);
+        issue(commands, planned.barriers);
+        timers_.begin(commands, pass.name, mode);
+        bind_resources(commands, pass);
+        Cmd cmd(*this, commands);
+        cmd.pass_ = &pass;
+        if (pass.kind == PassKind::raster) begin_rendering(commands, pass);
+        if (pass.record) pass.record(cmd);
+        if (pass.kind == PassKind::raster) vkCmdEndRendering(commands);
+        timers_.end(commands, mode);
+        device_.end_label(commands);
+        stats.passes.push_back({pass.name, cmd.draws_, cmd.pipeline_binds_, 0});
+    }
+    issue(commands, plan_.final_barriers);
+}
+
+void Runner::bind_resources(VkCommandBuffer commands, const Pass& pass)
+{
+    std::vector<gpu::PassImage> images;
+    std::vector<VkBuffer> buffers;
+    for (const Use& use : pass.uses) {
+        const bool sampled = use.access == Access::sampled_fragment || use.access == Access::sampled_compute;
+        if (described_.resources[use.resource].is_image) {
+            if (sampled) images.push_back({transients_->image(use.resource).view(), gpu::info(use.access).layout});
+        } else if (sampled || use.access == Access::storage_write) {
+            buffers.push_back(buffer_of(use.resource));
+        }
+    }
+    const auto point =
+        pass.kind == PassKind::compute ? VK_PIPELINE_BIND_POINT_COMPUTE : VK_PIPELINE_BIND_POINT_GRAPHICS;
+    descriptors_.bind_pass(commands, point, images, buffers);
+}
+
+void Runner::issue(VkCommandBuffer cmd, const std::vector<Barrier>& barriers) const
+{
+    issue_barriers(
+        cmd, barriers, [this](ResourceIndex r) { return image_of(r); },
+        [this](ResourceIndex r) { return buffer_of(r); },
+        [this](ResourceIndex r) { return gpu::is_depth(graph_->resources_[r].desc.format); });
+}
+
+void Runner::begin_rendering(VkCommandBuffer cmd, const Pass& pass) const
+{
+    const auto attachment = [&](const Attachment& a, VkImageLayout layout, bool is_depth) {
+        VkRenderingAttachmentInfo info{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
+        info.imageView = transients_->image(a.texture.index).view();
+        info.imageLayout = layout;
+        info.loadOp = a.load == Load::clear     ? VK_ATTACHMENT_LOAD_OP_CLEAR
+                      : a.load == Load::discard ? VK_ATTACHMENT_LOAD_OP_DONT_CARE
+                                                : VK_ATTACHMENT_LOAD_OP_LOAD;
+        info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+        if (is_depth) {
+            info.clearValue.depthStencil = {a.clear.x, 0};
+        } else {
+            for (int i = 0; i < 4; ++i) info.clearValue.color.float32[i] = a.clear[i];
+        }
+        return info;
+    };
+    std::vector<VkRenderingAttachmentInfo> colors;
+    for (const Attachment& a : pass.colors)
+        colors.push_back(attachment(a, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, false));
+    VkRenderingAttachmentInfo depth{};
+    if (pass.depth) {
+        depth = attachment(*pass.depth, gpu::info(pass.depth_writes ? Access::depth_write : Access::depth_read).layout,
+                           true);
+        // A depth image that is only tested keeps its contents without being stored again.
+        if (!pass.depth_writes) depth.storeOp = VK_ATTACHMENT_STORE_OP_NONE;
+    }
+    const Tex any = pass.colors.empty() ? pass.depth.value().texture : pass.colors.front().texture;
+    const TexDesc& size = graph_->desc(any);
+
+    VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
+    info.renderArea.extent = {size.width, size.height};
+    info.layerCount = 1;
+    info.colorAttachmentCount = static_cast<std::uint32_t>(colors.size());
+    info.pColorAttachments = colors.data();
+    info.pDepthAttachment = pass.depth ? &depth : nullptr;
+    vkCmdBeginRendering(cmd, &info);
+    // Negative height: clip y points up everywhere.
+    const auto w = static_cast<float>(size.width), h = static_cast<float>(size.height);
+    const VkViewport viewport{0, h, w, -h, 0, 1};
+    vkCmdSetViewport(cmd, 0, 1, &viewport);
+    vkCmdSetScissor(cmd, 0, 1, &info.renderArea);
+    vkCmdSetCullMode(cmd, VK_CULL_MODE_NONE);
+}
+
+VkImage Runner::image_of(ResourceIndex r) const
+{
+    return graph_->resources_[r].is_image ? transients_->image(r).handle() : VK_NULL_HANDLE;
+}
+
+VkBuffer Runner::buffer_of(ResourceIndex r) const
+{
+    const Graph::Resource& resource = graph_->resources_[r];
+    if (resource.is_image) return VK_NULL_HANDLE;
+    return resource.imported ? resource.imported->handle() : transients_->buffer(r).handle();
+}
+
+void issue_barriers(VkCommandBuffer cmd, const std::vector<Barrier>& barriers,
+                    const std::function<VkImage(ResourceIndex)>& image_of,
+                    const std::function<VkBuffer(ResourceIndex)>& buffer_of,
+                    const std::function<bool(ResourceIndex)>& is_depth)
+{
+    if (barriers.empty()) return;
+    std::vector<VkImageMemoryBarrier2> images;
+    std::vector<VkBufferMemoryBarrier2> buffers;
+    std::vector<VkMemoryBarrier2> memory;
+    for (const Barrier& b : barriers) {
+        if (const VkImage image = image_of(b.resource)) {
+            VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
+            barrier.srcStageMask = b.src_stages;
+            barrier.srcAccessMask = b.src_access;
+            barrier.dstStageMask = b.dst_stages;
+            barrier.dstAccessMask = b.dst_access;
+            barrier.oldLayout = b.old_layout;
+            barrier.newLayout = b.new_layout;
+            barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+            barrier.image = image;
+            barrier.subresourceRange = {static_cast<VkImageAspectFlags>(is_depth(b.resource)
+                                                                            ? VK_IMAGE_ASPECT_DEPTH_BIT
+                                                                            : VK_IMAGE_ASPECT_COLOR_BIT),
+                                        b.range.first_mip, b.range.mips, b.range.first_layer, b.range.layers};
+            images.push_back(barrier);
+            if (b.takes_memory) { // An image barrier says nothing of what was written through the memory's last owner.
+                VkMemoryBarrier2 alias{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+                alias.srcStageMask = b.src_stages;
+                alias.srcAccessMask = b.src_access;
+                alias.dstStageMask = b.dst_stages;
+                alias.dstAccessMask = b.dst_access;
+                memory.push_back(alias);
+            }
+        } else {
+            VkBufferMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_BUFFER_MEMORY_BARRIER_2};
+            barrier.srcStageMask = b.src_stages;
+            barrier.srcAccessMask = b.src_access;
+            barrier.dstStageMask = b.dst_stages;
+            barrier.dstAccessMask = b.dst_access;
+            barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+            barrier.buffer = buffer_of(b.resource);
+            barrier.size = VK_WHOLE_SIZE;
+            buffers.push_back(barrier);
+        }
+    }
+    VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    dependency.memoryBarrierCount = static_cast<std::uint32_t>(memory.size());
+    dependency.pMemoryBarriers = memory.data();
+    dependency.imageMemoryBarrierCount = static_cast<std::uint32_t>(images.size());
+    dependency.pImageMemoryBarriers = images.data();
+    dependency.bufferMemoryBarrierCount = static_cast<std::uint32_t>(buffers.size());
+    dependency.pBufferMemoryBarriers = buffers.data();
+    vkCmdPipelineBarrier2(cmd, &dependency);
+}
+
+} // namespace atrium::graph

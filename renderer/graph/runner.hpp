@@ -1,0 +1,66 @@
+#pragma once
+// Runs graphs on a device: plans, places transient resources, issues the plan's barriers, records the passes.
+
+#include "renderer/gpu/timers.hpp"
+#include "renderer/graph/graph.hpp"
+
+#include <memory>
+
+namespace atrium::graph {
+
+/// What one run of a graph did and took.
+struct PassStats {
+    std::string name;
+    std::uint32_t draws = 0, pipeline_binds = 0; ///< recorded commands; a multi-draw is one
+    double gpu_ms = 0;
+};
+struct RunStats {
+    std::vector<PassStats> passes;
+    double cpu_ms = 0;  ///< building excluded: planning, placing, recording
+    double wall_ms = 0; ///< from the start of recording until the device is done
+};
+
+class Runner {
+public:
+    Runner(const gpu::Device& device, gpu::Descriptors& descriptors, gpu::Pipelines& pipelines);
+    ~Runner();
+
+    /// Compiles what is missing, records, submits and waits.
+    RunStats run(Graph& graph, gpu::TimerMode mode = gpu::TimerMode::overlapped);
+
+    /// The plan of the last graph that ran, as text or Graphviz.
+    [[nodiscard]] std::string plan_text() const { return to_text(described_, plan_); }
+    [[nodiscard]] std::string plan_dot() const { return to_dot(described_, plan_); }
+    [[nodiscard]] const Plan& plan() const { return plan_; }
+
+private:
+    friend class Cmd;
+    struct Transients;
+    [[nodiscard]] GraphDesc describe(const Graph& graph);
+    void prepare_pipelines(Graph& graph);
+    void place(const Graph& graph);
+    void record(VkCommandBuffer cmd, Graph& graph, gpu::TimerMode mode, RunStats& stats);
+    void bind_resources(VkCommandBuffer cmd, const Pass& pass);
+    void issue(VkCommandBuffer cmd, const std::vector<Barrier>& barriers) const;
+    void begin_rendering(VkCommandBuffer cmd, const Pass& pass) const;
+    [[nodiscard]] VkImage image_of(ResourceIndex r) const;
+    [[nodiscard]] VkBuffer buffer_of(ResourceIndex r) const;
+
+    const gpu::Device& device_;
+    gpu::Descriptors& descriptors_;
+    gpu::Pipelines& pipelines_;
+    gpu::Timers timers_;
+    std::unique_ptr<Transients> transients_;
+    const Graph* graph_ = nullptr; ///< while it runs
+    GraphDesc described_;
+    Plan plan_;
+};
+
+/// Turns planned barriers into one vkCmdPipelineBarrier2. `image_of` and `buffer_of` map resources to handles (null
+/// where the resource is of the other kind); depth images are told by `is_depth`.
+void issue_barriers(VkCommandBuffer cmd, const std::vector<Barrier>& barriers,
+                    const std::function<VkImage(ResourceIndex)>& image_of,
+                    const std::function<VkBuffer(ResourceIndex)>& buffer_of,
+                    const std::function<bool(ResourceIndex)>& is_depth);
+
+} // namespace atrium::graph

@@ -1,0 +1,54 @@
+// One thread per cluster in draw order: the tests that need no other cluster's depth, and the command that comes of them.
+#include "lib/pass.glsl"
+#include "lib/scene.glsl"
+#include "shared/culling.h"
+
+layout(local_size_x = cull_group_size) in;
+layout(set = 1, binding = 4, scalar) readonly buffer TaskTable { DrawTask task_table[]; };
+layout(set = 1, binding = 5, scalar) readonly buffer OrderTable { uint order_table[]; };
+layout(PASS_BUFFER(0), scalar) writeonly buffer Commands { DrawCommand commands[]; };
+
+/// A cluster's bounding sphere, from the eye, world axes.
+struct ClusterSphere {
+    vec3 d;
+    float radius;
+};
+
+ClusterSphere sphere_of(DrawTask task)
+{
+    GpuCluster cluster = cluster_table[task.cluster];
+    return ClusterSphere(transform_point(record_table[task.record].world_rows, cluster.centre) - frame.eye,
+                         cluster.radius * record_table[task.record].max_scale);
+}
+
+/// Against the four sides and the near plane; there is no far plane.
+bool outside_frustum(ClusterSphere s)
+{
+    float z = dot(s.d, frame.forward);
+    vec2 side = abs(vec2(dot(s.d, frame.right), dot(s.d, frame.up)));
+    vec2 tangent = vec2(frame.tan_x, frame.tan_y);
+    return z + s.radius < frame.near || any(greaterThan(side - z * tangent, s.radius * sqrt(1.0 + tangent * tangent)));
+}
+
+bool faces_away(DrawTask task, ClusterSphere s)
+{
+    GpuCluster cluster = cluster_table[task.cluster];
+    bool one_sided = (record_table[task.record].flags & record_two_sided) == 0u;
+    if (!one_sided || cluster.cone_cutoff >= 1.0) return false;
+    vec3 axis = normalize(transform_vector(record_table[task.record].world_rows, cluster.cone_axis));
+    return dot(s.d, axis) >= cluster.cone_cutoff * length(s.d) + s.radius;
+}
+
+bool may_be_seen(DrawTask task, ClusterSphere s, uint flags)
+{
+    if ((flags & cull_frustum) != 0u && outside_frustum(s)) return false;
+    return (flags & cull_cone) == 0u || !faces_away(task, s);
+}
+
+/// Commands keep their place, so the picture never depends on the order in which threads ran.
+void write_command(uint i, DrawTask task, bool drawn)
+{
+    commands[i] = DrawCommand(cluster_table[task.cluster].index_count, drawn ? 1u : 0u,
+                              cluster_table[task.cluster].first_index, record_table[task.record].vertex_offset,
+                              task.record);
+}

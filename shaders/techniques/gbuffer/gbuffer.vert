@@ -1,0 +1,41 @@
+#version 460
+// Vertices of the scene into clip space, with what the surface functions need.
+#extension GL_GOOGLE_include_directive : require
+#include "lib/scene.glsl"
+#include "lib/octahedral.glsl"
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in uint packed_normal;
+layout(location = 2) in uint packed_tangent;
+layout(location = 3) in vec2 uv;
+
+layout(location = 0) out vec3 v_offset;    // from the eye, m, world: small numbers keep derivatives exact
+layout(location = 1) out vec3 v_normal;
+layout(location = 2) out vec4 v_tangent;
+layout(location = 3) out vec2 v_uv;
+layout(location = 4) out vec3 v_prev_clip; // x, y, w one frame earlier
+layout(location = 5) flat out uint v_record;
+// The material travels with the vertices: on a CPU device a fragment's look-up in a table costs eight scalar loads a
+// word, a constant varying nothing.
+layout(location = 6) flat out GpuMaterial v_material;
+
+invariant gl_Position;
+
+void main()
+{
+    uint index = gl_BaseInstance; // one instance a draw: uniform, which the device can know
+    vec4 rows[3] = record_table[index].world_rows;
+    vec3 world = transform_point(rows, position);
+    vec3 previous = world;
+    if ((record_table[index].flags & record_moves) != 0u) previous = transform_point(record_table[index].prev_rows, position);
+
+    vec4 tangent = tangent_unpack(packed_tangent);
+    v_offset = world - frame.eye;
+    v_normal = transform_vector(rows, oct_unpack(packed_normal, 16u));
+    v_tangent = vec4(transform_vector(rows, tangent.xyz), tangent.w);
+    v_uv = uv;
+    v_prev_clip = (frame.prev_clip_from_world * vec4(previous, 1)).xyw;
+    v_record = index;
+    v_material = material_table[record_table[index].material];
+    gl_Position = frame.clip_from_world * vec4(world, 1);
+}
