@@ -1,0 +1,203 @@
+// `atrium bench`: what each pass costs, beside its floor.
+
+#include "app/bench_floors.hpp"
+#include "app/child_process.hpp"
+#include "app/commands.hpp"
+#include "app/json_output.hpp"
+#include "app/scene_input.hpp"
+#include "app/stats.hpp"
+#include "renderer/core/error.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+
+namespace atrium::app {
+namespace {
+
+struct Options {
+    SceneOptions scene;
+    FrameOptions frame;
+    bool floors = false;
+    std::vector<std::string> passes;
+    int runs = 5;
+    std::filesystem::path source;
+    std::string json;
+};
+
+/// Times by name, and the order in which names first came.
+class Samples {
+public:
+    void add(const std::string& name, double ms)
+    {
+        if (!values_.contains(name)) names_.push_back(name);
+        values_[name].push_back(ms);
+    }
+    [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+    [[nodiscard]] const std::vector<double>* find(const std::string& name) const
+    {
+        const auto found = values_.find(name);
+        return found == values_.end() ? nullptr : &found->second;
+    }
+
+private:
+    std::vector<std::string> names_;
+    std::map<std::string, std::vector<double>> values_;
+};
+
+/// Which floor a run is held against; empty for floors and where there is none.
+std::string floor_of(const std::string& name)
+{
+    if (name.starts_with("floor.")) return "";
+    if (name == "gbuffer" || name == "cull+gbuffer") return "floor.gbuffer";
+    if (name == "lighting") return "floor.lighting";
+    if (name == "load") return "floor.copy";
+    if (name == "parse") return "load";
+    return "floor.t16";
+}
+
+/// Passes of add_culled_gbuffer().
+bool fills_gbuffer(const std::string& pass)
+{
+    return pass == "gbuffer" || pass == "gbuffer.late" || pass.starts_with("cull") ||
+           pass.starts_with("depth_pyramid");
+}
+
+void bench_load(Engine& engine, const SceneInput& scene, const std::filesystem::path& source, int runs,
+                Samples& samples)
+{
+    const std::filesystem::path bake = scene.bakes.front()->path();
+    const BulkRange bulk = bulk_range(*scene.bakes.front());
+    for (int run = -1; run < runs; ++run) { // the first warms the page cache
+        const double copy = run_copy_floor(bake, bulk);
+        engine.unload();
+        const auto start = std::chrono::steady_clock::now();
+        const BakeFile fresh(bake);
+        SceneDescription description = scene.description();
+        description.bakes.front() = &fresh;
+        engine.load(description);
+        const double load = ms_since(start);
+        if (run < 0) continue;
+        samples.add("load", load);
+        samples.add("floor.copy", copy);
+    }
+    if (source.empty()) return;
+    const std::string converter = (this_program().parent_path() / "assetconv").string();
+    for (int run = 0; run < 3; ++run) {
+        const auto start = std::chrono::steady_clock::now();
+        if (const int code = run_child({converter, "parse", source.string(), "--quiet"}); code != 0) {
+            throw Error(ExitCode::input, fmt::format("{} could not be parsed", source.string()), "--source",
+                        fmt::format("assetconv ended with {}", code), "");
+        }
+        samples.add("parse", ms_since(start));
+    }
+}
+
+void bench_frames(Engine& engine, FrameRequest request, bool floors, int runs, Samples& samples)
+{
+    for (int run = -1; run < runs; ++run) { // the first warms the pipelines
+        Samples discarded;
+        Samples& into = run < 0 ? discarded : samples;
+        request.timers = gpu::TimerMode::serialized;
+        double culled_gbuffer = 0;
+        for (const graph::PassStats& pass : engine.render(request).stats.passes) {
+            if (pass.name.starts_with("readback.")) continue;
+            into.add(pass.name, pass.gpu_ms);
+            if (fills_gbuffer(pass.name)) culled_gbuffer += pass.gpu_ms;
+        }
+        into.add("cull+gbuffer", culled_gbuffer);
+        request.timers = gpu::TimerMode::overlapped;
+        const FrameResult frame = engine.render(request);
+        into.add("frame", frame.record_ms + frame.stats.wall_ms - frame.stats.cpu_ms);
+        into.add("record", frame.record_ms);
+        if (!floors) continue;
+        for (const auto& [name, ms] : run_device_floors(engine, request)) {
+            if (name == "floor.t16" || name == "floor.gbuffer" || name == "floor.lighting") into.add(name, ms);
+        }
+    }
+}
+
+nlohmann::ordered_json report(const Samples& samples, const std::vector<std::string>& wanted, const std::string& device)
+{
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    fmt::print("{}\n{:<20} {:>10} {:>10} {:>10}  {:<16} {:>7}\n", device, "", "median ms", "min", "max", "floor",
+               "ratio");
+    for (const std::string& name : samples.names()) {
+        const bool is_wanted = wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end();
+        if (!is_wanted && !name.starts_with("floor.")) continue;
+        const std::vector<double>& ms = *samples.find(name);
+        const double middle = median(ms);
+        const auto [low, high] = std::minmax_element(ms.begin(), ms.end());
+        const std::string floor = floor_of(name);
+        const std::vector<double>* floor_ms = floor.empty() ? nullptr : samples.find(floor);
+        nlohmann::ordered_json row{{"name", name},    {"median_ms", middle}, {"min_ms", *low},
+                                   {"max_ms", *high}, {"floor", nullptr},    {"ratio", nullptr}};
+        fmt::print("{:<20} {:>10.3f} {:>10.3f} {:>10.3f}", name, middle, *low, *high);
+        if (floor_ms) {
+            row["floor"] = floor;
+            row["ratio"] = middle / median(*floor_ms);
+            fmt::print("  {:<16} {:>7.3f}", floor, middle / median(*floor_ms));
+        }
+        fmt::print("\n");
+        rows.push_back(row);
+    }
+    return {{"device", device}, {"runs", rows}};
+}
+
+int run(const Options& o)
+{
+    const SceneInput scene = read_scene_input(o.scene, o.frame);
+    const SettingChain chain(o.frame, scene);
+    FrameRequest request = make_request(o.frame, scene, chain);
+
+    EngineOptions options;
+    options.device = o.scene.device;
+    options.validate = o.scene.validate;
+    options.cache_folder = cache_folder();
+    Engine engine(options);
+    request.settings = chain.apply(engine.device().report().is_cpu);
+
+    Samples samples;
+    const bool only_load = o.passes.size() == 1 && o.passes.front() == "load";
+    const bool load = o.passes.empty() || std::find(o.passes.begin(), o.passes.end(), "load") != o.passes.end();
+    const bool is_obj = o.scene.scene.extension() == ".obj";
+    engine.load(scene.description());
+    if (!only_load) bench_frames(engine, request, o.floors, o.runs, samples);
+    if (load) bench_load(engine, scene, is_obj ? o.scene.scene : o.source, o.runs, samples);
+    std::vector<std::string> wanted = o.passes;
+    if (load && !wanted.empty()) wanted.emplace_back("parse");
+    const nlohmann::ordered_json json = report(samples, wanted, engine.device().report().name);
+    if (!o.json.empty()) write_json_text(o.json, json.dump(2) + "\n");
+    if (engine.validation_messages() > 0) {
+        throw Error(ExitCode::internal, "validation reported messages", "--validate", "they are printed above",
+                    "please report them");
+    }
+    return 0;
+}
+
+} // namespace
+
+Run add_bench_command(CLI::App& app)
+{
+    const auto o = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand("bench", "time the passes of a frame, each beside its floor");
+    add_scene_options(*command, o->scene);
+    add_frame_options(*command, o->frame);
+    command->add_flag("--floors", o->floors, "also draw the floors that passes are held against");
+    command->add_option("--passes", o->passes, "only these passes (NAME,…); load, frame and record are names too")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    command->add_option("--runs", o->runs, "measured runs (5)")->check(CLI::Range(1, 1000));
+    command->add_option("--source", o->source, "the OBJ of the bake: `load` is then also held against parsing it")
+        ->check(CLI::ExistingFile);
+    command->add_option("--json", o->json, "figures as JSON to a file, or - for the terminal");
+    command->footer("Example:\n  atrium bench sponza.atrium --eye -11.5,1.7,-0.4 --target 10,3.5,-0.4 --floors\n"
+                    "Passes are timed with a full barrier before each timestamp, `frame` without.");
+    return [o] { return run(*o); };
+}
+
+} // namespace atrium::app

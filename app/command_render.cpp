@@ -1,0 +1,128 @@
+// `atrium render`: frames to files.
+
+#include "app/commands.hpp"
+#include "app/config.hpp"
+#include "app/json_output.hpp"
+#include "app/output.hpp"
+#include "app/scene_input.hpp"
+#include "app/stats.hpp"
+#include "renderer/core/error.hpp"
+#include "renderer/core/log.hpp"
+#include "renderer/core/progress.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+#include <optional>
+
+namespace atrium::app {
+namespace {
+
+struct Options {
+    SceneOptions scene;
+    FrameOptions frame;
+    std::filesystem::path output;
+    std::vector<std::string> aovs; ///< "NAME=FILE.exr"
+    std::string frames;
+    double dt = 1.0 / 60.0;
+    std::string path;
+    bool resume = false;
+    std::filesystem::path stats, graph;
+};
+
+/// One validation message fails the run, whatever was drawn.
+int verdict(const Engine& engine)
+{
+    const std::size_t messages = engine.validation_messages();
+    if (messages == 0) return 0;
+    throw Error(ExitCode::internal, fmt::format("validation reported {} message(s)", messages), "--validate",
+                "they are printed above", "please report them with the command line");
+}
+
+void write_graph(const std::filesystem::path& file, const graph::Runner& runner);
+
+int run(const Options& o)
+{
+    // Everything that can be wrong with the command line is found out before the device is touched.
+    const OutputPlan outputs(o.output, o.frames, o.aovs);
+    const auto start = std::chrono::steady_clock::now();
+    const SceneInput scene = read_scene_input(o.scene, o.frame);
+    const SettingChain chain(o.frame, scene);
+    FrameRequest request = make_request(o.frame, scene, chain);
+    for (const AovOutput& aov : outputs.aovs()) request.aovs.push_back(parse_aov(aov.name, request.lights));
+    const CameraPath path = find_path(o.path, scene.file);
+    const double start_time = o.frame.time.value_or(scene.config.time.value_or(0));
+    outputs.check_writable();
+    const double read_ms = ms_since(start);
+
+    EngineOptions options;
+    options.device = o.scene.device;
+    options.validate = o.scene.validate;
+    options.cache_folder = cache_folder();
+    Engine engine(options);
+    log_verbose(fmt::format("device: {}", engine.device().report().name));
+    request.settings = chain.apply(engine.device().report().is_cpu);
+    const auto load_start = std::chrono::steady_clock::now();
+    engine.load(scene.description());
+
+    // Frames that are not written are drawn all the same: the last one may depend on them, and their times count.
+    request.want_picture = outputs.wants_png();
+    request.want_hdr = !outputs.wants_png();
+
+    StatsRecorder stats(engine, request.size);
+    stats.set_load_ms(read_ms + ms_since(load_start));
+    request.want_statistics = !o.stats.empty();
+    if (request.want_statistics)
+        static_cast<void>(engine.render(request)); // warms pipelines, so that no compiler is timed
+
+    std::optional<Progress> progress;
+    if (outputs.frame_count() > 1) progress.emplace("rendering", outputs.frame_count());
+    for (std::size_t i = 0; i < outputs.frame_count(); ++i) {
+        const double time = start_time + o.dt * static_cast<double>(outputs.first_frame() + i);
+        request.previous_camera = i > 0 ? request.camera : path.camera_at(time - o.dt, request.camera);
+        request.camera = path.camera_at(time, request.camera);
+        const bool write = outputs.writes(i) && !(o.resume && outputs.exists(i));
+        if (!write && outputs.numbered()) continue;
+        const FrameResult frame = engine.render(request);
+        stats.add(frame);
+        if (write) outputs.write(i, frame, request, time);
+        if (progress) progress->advance();
+    }
+    progress.reset();
+    if (!o.graph.empty()) write_graph(o.graph, engine.runner());
+    if (!o.stats.empty()) write_json_text(o.stats.string(), stats.to_json());
+    log_info(fmt::format("{}", o.output.string()));
+    return verdict(engine);
+}
+
+void write_graph(const std::filesystem::path& file, const graph::Runner& runner)
+{
+    write_json_text(file.string(), file.extension() == ".dot" ? runner.plan_dot() : runner.plan_text());
+}
+
+} // namespace
+
+Run add_render_command(CLI::App& app)
+{
+    const auto o = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand("render", "draw a scene to a picture");
+    add_scene_options(*command, o->scene);
+    add_frame_options(*command, o->frame);
+    command->add_option("-o,--output", o->output, "OUT.png (8-bit sRGB) or OUT.exr (linear, before exposure)")
+        ->required();
+    command->add_option("--aov", o->aovs, "NAME=FILE.exr: an intermediate image (docs/aovs.md)")
+        ->allow_extra_args(false);
+    command->add_option("--frames", o->frames, "N frames from 0, or A-B; OUT.####.png writes each");
+    command->add_option("--dt", o->dt, "seconds between frames (1/60)")->check(CLI::NonNegativeNumber);
+    command->add_option("--path", o->path, "move the camera along a path of the scene file");
+    command->add_flag("--resume", o->resume, "skip frames whose file exists");
+    command->add_option("--stats", o->stats, "times and counts as JSON");
+    command->add_option("--graph", o->graph, "the frame graph: FILE.txt or Graphviz FILE.dot");
+    command->footer(
+        "Example:\n  atrium render out/courtyard/courtyard.toml --camera hero --set exposure.ev100=0.5 -o hero.png");
+    return [o] { return run(*o); };
+}
+
+} // namespace atrium::app

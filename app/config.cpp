@@ -1,0 +1,72 @@
+#include "app/config.hpp"
+
+#include "renderer/core/error.hpp"
+
+#include <fmt/format.h>
+
+namespace atrium::app {
+namespace {
+
+/// A TOML basic string.
+std::string quoted(const std::string& text)
+{
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') out += '\\';
+        out += c;
+    }
+    return out + "\"";
+}
+
+std::string vector_text(const vec3& v)
+{
+    return fmt::format("[{}, {}, {}]", v.x, v.y, v.z);
+}
+
+FrameConfig from_picture(const std::filesystem::path& file, const ImageMetadata& metadata)
+{
+    const auto text = metadata.find(metadata_key);
+    if (text == metadata.end()) {
+        throw Error(ExitCode::input, fmt::format("{} carries no settings", file.string()), file.string(),
+                    fmt::format("it has no text called \"{}\"", metadata_key),
+                    "use a picture that atrium wrote, or a TOML file");
+    }
+    return parse_frame_config(text->second, file);
+}
+
+} // namespace
+
+ImageMetadata describe_frame(const FrameRequest& request, double time)
+{
+    // Bind to fresh settings, whose values are the defaults, then show those of the request.
+    Settings settings;
+    SettingList list;
+    describe(list, settings);
+    settings = request.settings;
+
+    std::string out =
+        fmt::format("width = {}\nheight = {}\ntime = {}\nlights = [", request.size.x, request.size.y, time);
+    for (const Light& light : request.lights) out += fmt::format("\n    {},", quoted(to_spec(light)));
+    out += fmt::format("\n]\n[camera]\neye = {}\ntarget = {}\nfov = {}\n[settings]\n", vector_text(request.camera.eye),
+                       vector_text(request.camera.target), request.camera.fov);
+    for (const auto& [key, text] : list.differing()) out += fmt::format("{} = {}\n", key, quoted(text));
+    return {{metadata_key, out}};
+}
+
+FrameConfig read_config(const std::filesystem::path& file)
+{
+    ImageMetadata metadata;
+    if (file.extension() == ".png") {
+        static_cast<void>(read_png(file, &metadata));
+        return from_picture(file, metadata);
+    }
+    if (file.extension() == ".exr") {
+        static_cast<void>(read_exr(file, &metadata));
+        return from_picture(file, metadata);
+    }
+    FrameConfig config;
+    config.settings = read_settings_file(file);
+    return config;
+}
+
+} // namespace atrium::app

@@ -1,0 +1,142 @@
+#include "app/options.hpp"
+
+#include "renderer/core/error.hpp"
+#include "renderer/core/nearest_name.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <iostream>
+#include <span>
+
+namespace atrium::app {
+namespace {
+
+/// The whole text as numbers between separators; empty when it is anything else.
+template <class T, std::size_t N>
+std::optional<std::array<T, N>> parse_numbers(std::string_view text, char separator)
+{
+    std::array<T, N> out{};
+    for (std::size_t i = 0; i < N; ++i) {
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out[i]);
+        if (error != std::errc{}) return std::nullopt;
+        if constexpr (std::is_floating_point_v<T>) {
+            if (!std::isfinite(out[i])) return std::nullopt;
+        }
+        text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+        if (i + 1 < N) {
+            if (text.empty() || text.front() != separator) return std::nullopt;
+            text.remove_prefix(1);
+        }
+    }
+    return text.empty() ? std::optional(out) : std::nullopt;
+}
+
+CLI::Option* add_vector(CLI::App& command, const std::string& name, std::optional<vec3>& target,
+                        const std::string& help)
+{
+    return command.add_option_function<std::string>(
+        name,
+        [&target, name](const std::string& text) {
+            const auto xyz = parse_numbers<float, 3>(text, ',');
+            if (!xyz) throw CLI::ValidationError(name, fmt::format("takes three numbers X,Y,Z, not \"{}\"", text));
+            target = vec3((*xyz)[0], (*xyz)[1], (*xyz)[2]);
+        },
+        help);
+}
+
+/// Long names of all options that a command line may hold.
+std::vector<std::string> option_names(const CLI::App& app)
+{
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options()) {
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+        for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+    }
+    return names;
+}
+
+std::vector<std::string> command_names(const CLI::App& app)
+{
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+    return names;
+}
+
+[[noreturn]] void refuse(const CLI::App& app, std::span<const char* const> arguments, const std::string& why)
+{
+    const CLI::App* command = &app;
+    if (!app.get_subcommands().empty()) command = app.get_subcommands().front();
+    const std::vector<std::string> options = option_names(*command);
+    std::string next = fmt::format("`{} --help` lists what there is",
+                                   command == &app ? app.get_name() : app.get_name() + " " + command->get_name());
+    // The first argument that looks like an option but is none.
+    for (const char* argument : arguments) {
+        const std::string word =
+            std::string_view(argument).substr(0, std::string_view(argument).find('=')).data() ? argument : "";
+        const std::string name = word.substr(0, word.find('='));
+        if (name.starts_with("--") && std::find(options.begin(), options.end(), name) == options.end()) {
+            throw Error(ExitCode::usage, fmt::format("unknown option {}", name), command->get_name(),
+                        fmt::format("did you mean {}?", nearest_name(name, options)), next);
+        }
+    }
+    if (command == &app && !arguments.empty()) {
+        const std::vector<std::string> commands = command_names(app);
+        throw Error(ExitCode::usage, fmt::format("\"{}\" is no command", arguments.front()), app.get_name(),
+                    fmt::format("did you mean {}?", nearest_name(arguments.front(), commands)), next);
+    }
+    throw Error(ExitCode::usage, "the command line is not complete or not understood", command->get_name(), why, next);
+}
+
+} // namespace
+
+void add_scene_options(CLI::App& command, SceneOptions& o)
+{
+    command.add_option("SCENE", o.scene, "a bake (.atrium), a scene file (.toml), or an OBJ (baked first)")->required();
+    command.add_option("--device", o.device, "device by name or index (see `atrium devices`)");
+    command.add_flag("--validate", o.validate, "Khronos validation with synchronisation checks; a message ends with 5");
+    command.add_option("--bake-scale", o.bake_scale, "scale when SCENE is an OBJ")->check(CLI::PositiveNumber);
+    command.add_option("--bake-up", o.bake_up, "up axis when SCENE is an OBJ")->check(CLI::IsMember({"y", "z"}));
+}
+
+void add_frame_options(CLI::App& command, FrameOptions& o)
+{
+    command.add_option_function<std::string>(
+        "--size",
+        [&o](const std::string& text) {
+            const auto wh = parse_numbers<std::uint32_t, 2>(text, 'x');
+            if (!wh || (*wh)[0] < 1 || (*wh)[1] < 1 || (*wh)[0] > 16384 || (*wh)[1] > 16384) {
+                throw CLI::ValidationError("--size", fmt::format("takes WxH, each 1 to 16384, not \"{}\"", text));
+            }
+            o.size = uvec2((*wh)[0], (*wh)[1]);
+        },
+        "picture size WxH (1280x720)");
+    command.add_option("--camera", o.camera, "a camera of the scene file");
+    CLI::Option* eye = add_vector(command, "--eye", o.eye, "camera position X,Y,Z, m");
+    CLI::Option* target = add_vector(command, "--target", o.target, "point looked at X,Y,Z, m");
+    eye->needs(target);
+    target->needs(eye);
+    command.add_option("--fov", o.fov, "vertical field of view, degrees (60)")->check(CLI::Range(1.0, 170.0));
+    command.add_option("--light", o.lights, "add a light: TYPE,key=value,… (docs/lights.md)")->allow_extra_args(false);
+    command.add_flag("--no-lights", o.no_lights, "drop the scene's lights and the default sun");
+    command.add_option("--set", o.set, "a setting: key=value (see `atrium settings`)")->allow_extra_args(false);
+    command.add_option("--preset", o.preset, "a named set of settings");
+    command.add_option("--config", o.config, "settings from a TOML file, or those inside a picture (.png, .exr)");
+    command.add_option("--time", o.time, "scene time, s");
+}
+
+std::optional<int> parse_command_line(CLI::App& app, int argc, const char* const* argv)
+{
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& done) {
+        return app.exit(done); // --help, --version
+    } catch (const CLI::ParseError& error) {
+        refuse(app, std::span(argv, static_cast<std::size_t>(argc)).subspan(1), error.what());
+    }
+    return std::nullopt;
+}
+
+} // namespace atrium::app

@@ -1,0 +1,65 @@
+#pragma once
+// From the SCENE argument to what the engine draws: bakes, instances, lights, cameras, settings.
+
+#include "app/options.hpp"
+#include "renderer/engine.hpp"
+#include "renderer/scene/bake_file.hpp"
+#include "renderer/scene/scene_file.hpp"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace atrium::app {
+
+struct SceneInput {
+    std::vector<std::unique_ptr<BakeFile>> bakes; ///< the first is the scene's own
+    std::vector<Instance> instances;
+    SceneFile file;     ///< empty but for its bake when SCENE is no scene file
+    FrameConfig config; ///< of --config
+    [[nodiscard]] SceneDescription description() const;
+};
+
+/// Reads a bake, a scene file with the bakes it names, or bakes an OBJ into the cache first; and --config. Throws
+/// Error(input).
+[[nodiscard]] SceneInput read_scene_input(const SceneOptions& o, const FrameOptions& frame);
+
+/// Texts of settings in order of precedence; applied once the device is known.
+class SettingChain {
+public:
+    /// Weakest first: defaults, the device's preset, --preset, scene file, --config, --set.
+    SettingChain(const FrameOptions& o, const SceneInput& scene);
+    /// Fresh settings with the chain applied. Throws Error naming the nearest key, or the range.
+    [[nodiscard]] Settings apply(bool cpu_device) const;
+
+private:
+    struct Entry {
+        SettingText text;
+        ExitCode code;
+    };
+    std::vector<Entry> entries_;
+};
+
+/// Lights in order: the scene file's (or those of the picture given as --config), then --light; a sun when there are
+/// none and --no-lights was not given. Named.
+[[nodiscard]] std::vector<Light> collect_lights(const FrameOptions& o, const SceneInput& scene);
+
+/// --eye and --target, --camera, the picture's given as --config, the scene's first camera, or one found from the
+/// geometry.
+[[nodiscard]] Camera choose_camera(const FrameOptions& o, const SceneInput& scene, uvec2 size);
+
+/// A request with everything that the options and the scene say but the AOVs; settings still without a device's
+/// defaults, to find mistakes before a device is touched.
+[[nodiscard]] FrameRequest make_request(const FrameOptions& o, const SceneInput& scene, const SettingChain& chain);
+
+/// $XDG_CACHE_HOME/atrium, or ~/.cache/atrium; empty when neither variable is set.
+[[nodiscard]] std::filesystem::path cache_folder();
+
+/// Bakes an OBJ with the assetconv beside this program, unless the cache has it. Returns the bake's path.
+[[nodiscard]] std::filesystem::path bake_to_cache(const std::filesystem::path& obj, double scale,
+                                                  const std::string& up);
+
+/// A camera for a scene that names none : inside when the middle is free and mostly enclosed.
+[[nodiscard]] Camera find_camera(const BakeFile& bake, float fov, float aspect);
+
+} // namespace atrium::app

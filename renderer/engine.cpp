@@ -1,0 +1,239 @@
+#include "renderer/engine.hpp"
+
+#include "renderer/core/error.hpp"
+#include "renderer/core/log.hpp"
+#include "renderer/frame_constants.hpp"
+
+#include <fmt/format.h>
+
+#include <glm/gtc/packing.hpp>
+
+#include <chrono>
+#include <cstring>
+#include <map>
+#include <span>
+#include <stdexcept>
+
+namespace atrium {
+namespace {
+
+std::uint64_t bytes_of(const graph::TexDesc& desc)
+{
+    return std::uint64_t{desc.width} * desc.height * gpu::bytes_per_texel(desc.format);
+}
+
+/// First `channels` of each texel, as floats times `scale`.
+ImageF to_image(std::span<const std::byte> bytes, const graph::TexDesc& desc, int channels, float scale)
+{
+    ImageF image(static_cast<int>(desc.width), static_cast<int>(desc.height), channels);
+    const std::size_t texels = std::size_t{desc.width} * desc.height;
+    const std::size_t stored = desc.format == gpu::Format::r32_float ? 1 : 4;
+    const bool halves = desc.format == gpu::Format::rgba16_float;
+    for (std::size_t t = 0; t < texels; ++t) {
+        for (std::size_t c = 0; c < static_cast<std::size_t>(channels); ++c) {
+            const std::size_t i = stored * t + c;
+            float value = 0;
+            if (halves) {
+                std::uint16_t half = 0;
+                std::memcpy(&half, bytes.data() + 2 * i, 2);
+                value = glm::unpackHalf1x16(half);
+            } else {
+                std::memcpy(&value, bytes.data() + 4 * i, 4);
+            }
+            image.values[t * static_cast<std::size_t>(channels) + c] = value * scale;
+        }
+    }
+    return image;
+}
+
+Image8 to_picture(std::span<const std::byte> rgba, const graph::TexDesc& desc)
+{
+    Image8 image(static_cast<int>(desc.width), static_cast<int>(desc.height), 3);
+    const std::size_t texels = std::size_t{desc.width} * desc.height;
+    for (std::size_t t = 0; t < texels; ++t) std::memcpy(&image.values[3 * t], rgba.data() + 4 * t, 3);
+    return image;
+}
+
+/// Buffers that the CPU reads results from, kept from frame to frame.
+class Readbacks {
+public:
+    explicit Readbacks(const gpu::Device& device) : device_(device) {}
+    void begin() { used_ = 0; }
+    /// A buffer of at least `bytes`, into which a pass of the graph copies.
+    const gpu::Buffer& add(std::uint64_t bytes)
+    {
+        if (used_ == buffers_.size()) buffers_.emplace_back();
+        auto& slot = buffers_[used_++];
+        if (!slot || slot->size() != bytes) {
+            slot = std::make_unique<gpu::Buffer>(device_, "readback", bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                                 gpu::MemoryUse::readback);
+        }
+        return *slot;
+    }
+
+private:
+    const gpu::Device& device_;
+    std::vector<std::unique_ptr<gpu::Buffer>> buffers_;
+    std::size_t used_ = 0;
+};
+
+const gpu::Buffer& read_back(graph::Graph& g, Readbacks& readbacks, graph::Tex texture, const std::string& name)
+{
+    const gpu::Buffer& buffer = readbacks.add(bytes_of(g.desc(texture)));
+    const graph::Buf target = g.import("readback." + name, buffer);
+    g.keep(target, gpu::Access::host_read);
+    g.transfer("readback." + name).reads(texture).writes(target).record([=](graph::Cmd& cmd) {
+        cmd.copy(texture, target);
+    });
+    return buffer;
+}
+
+const gpu::Buffer& read_back(graph::Graph& g, Readbacks& readbacks, const DrawList& draws)
+{
+    const std::uint64_t bytes = draws.count * sizeof(shared::DrawCommand);
+    const gpu::Buffer& buffer = readbacks.add(bytes);
+    const graph::Buf target = g.import("readback.draws", buffer);
+    g.keep(target, gpu::Access::host_read);
+    g.transfer("readback.draws").reads(draws.commands).writes(target).record([=](graph::Cmd& cmd) {
+        cmd.copy(draws.commands, target, bytes);
+    });
+    return buffer;
+}
+
+} // namespace
+
+struct Engine::State {
+    explicit State(const EngineOptions& o)
+        : options(o), instance(o.validate), device(instance, gpu::choose_device(instance, o.device)),
+          descriptors(device), pipelines(device, descriptors, o.shaders, o.cache_folder),
+          runner(device, descriptors, pipelines), readbacks(device),
+          constants(device, "frame constants", sizeof(shared::FrameConstants), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
+                    gpu::MemoryUse::upload)
+    {
+        descriptors.set_frame_buffer(gpu::FrameBinding::constants, constants);
+    }
+    EngineOptions options;
+    gpu::Instance instance;
+    gpu::Device device;
+    gpu::Descriptors descriptors;
+    gpu::Pipelines pipelines;
+    graph::Runner runner;
+    Readbacks readbacks;
+    gpu::Buffer constants;
+    std::unique_ptr<GpuScene> scene;
+    std::unique_ptr<Renderer> renderer;
+    RenderPath path = RenderPath::deferred;
+};
+
+Engine::Engine(const EngineOptions& options) : state_(std::make_unique<State>(options)) {}
+Engine::~Engine() = default;
+
+const gpu::Device& Engine::device() const
+{
+    return state_->device;
+}
+const GpuScene& Engine::scene() const
+{
+    return *state_->scene;
+}
+graph::Runner& Engine::runner()
+{
+    return state_->runner;
+}
+gpu::Descriptors& Engine::descriptors()
+{
+    return state_->descriptors;
+}
+std::size_t Engine::validation_messages() const
+{
+    return state_->instance.validation().count();
+}
+
+void Engine::load(const SceneDescription& scene)
+{
+    state_->scene.reset();
+    state_->scene = std::make_unique<GpuScene>(state_->device, state_->descriptors, scene.bakes, scene.instances,
+                                               scene.overrides, state_->options.upload);
+}
+
+void Engine::unload()
+{
+    state_->scene.reset();
+}
+
+void Engine::set_frame_constants(const FrameRequest& request)
+{
+    State& s = *state_;
+    s.descriptors.set_material_filter(request.settings.texture.anisotropy, 0);
+    s.scene->sort_for(request.camera.eye);
+    const shared::FrameConstants constants = make_frame_constants(request, *s.scene);
+    std::memcpy(s.constants.mapped().data(), &constants, sizeof(constants));
+    s.constants.flush();
+}
+
+namespace {
+
+/// Adds what the commands that the GPU left after culling draw.
+void count_draws(std::span<const std::byte> bytes, const GpuScene& scene, FrameResult& result)
+{
+    const auto* commands = reinterpret_cast<const shared::DrawCommand*>(bytes.data());
+    std::optional<std::uint32_t> material;
+    for (std::uint32_t i = 0; i < scene.tasks().count; ++i) {
+        if (commands[i].instance_count == 0) continue;
+        result.triangles += commands[i].index_count / 3;
+        const std::uint32_t own = scene.material_of_task(i);
+        if (material && *material != own) ++result.material_changes;
+        material = own;
+    }
+}
+
+} // namespace
+
+FrameResult Engine::render(const FrameRequest& request)
+{
+    State& s = *state_;
+    if (!s.scene) throw std::logic_error("render() before load()");
+    const auto start = std::chrono::steady_clock::now();
+    if (!s.renderer || s.path != request.settings.renderer.path) {
+        s.path = request.settings.renderer.path;
+        s.renderer = make_renderer(s.path);
+    }
+    set_frame_constants(request);
+
+    graph::Graph g;
+    const FrameContext context{request.settings, *s.scene, request.size, order_lights(request.lights)};
+    const Frame frame = build_frame(g, *s.renderer, context, request.aovs, request.lights);
+
+    s.readbacks.begin();
+    const gpu::Buffer* picture = nullptr;
+    const gpu::Buffer* hdr = nullptr;
+    std::vector<const gpu::Buffer*> commands, aovs;
+    if (request.want_picture) picture = &read_back(g, s.readbacks, frame.picture, "picture");
+    if (request.want_hdr) hdr = &read_back(g, s.readbacks, frame.hdr, "hdr");
+    for (std::size_t i = 0; i < frame.aovs.size(); ++i) {
+        aovs.push_back(&read_back(g, s.readbacks, frame.aovs[i], fmt::format("aov.{}", i)));
+    }
+    for (const DrawList& draws : frame.draws) {
+        if (request.want_statistics && draws.count > 0) commands.push_back(&read_back(g, s.readbacks, draws));
+    }
+
+    FrameResult result;
+    const double built_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    result.stats = s.runner.run(g, request.timers);
+    result.record_ms = built_ms + result.stats.cpu_ms;
+
+    const auto bytes_in = [](const gpu::Buffer& buffer) {
+        buffer.invalidate();
+        return std::span<const std::byte>(buffer.mapped());
+    };
+    const float unexpose = 1.0f / exposure_scale(request.settings.exposure);
+    if (picture) result.picture = to_picture(bytes_in(*picture), g.desc(frame.picture));
+    if (hdr) result.hdr = to_image(bytes_in(*hdr), g.desc(frame.hdr), 3, unexpose);
+    for (std::size_t i = 0; i < aovs.size(); ++i) {
+        result.aovs.push_back(to_image(bytes_in(*aovs[i]), g.desc(frame.aovs[i]), request.aovs[i].info->channels, 1));
+    }
+    for (const gpu::Buffer* buffer : commands) count_draws(bytes_in(*buffer), *s.scene, result);
+    return result;
+}
+
+} // namespace atrium

@@ -1,0 +1,83 @@
+#pragma once
+// The renderer's public API: a device, a scene on it, frames of it as images in host memory.
+
+#include "renderer/core/image.hpp"
+#include "renderer/frame.hpp"
+#include "renderer/graph/runner.hpp"
+#include "renderer/scene/camera.hpp"
+#include "renderer/scene/light.hpp"
+#include "renderer/settings.hpp"
+#include "shaders/embedded.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace atrium {
+
+struct EngineOptions {
+    std::string device;                 ///< name or index; empty: the best one
+    bool validate = false;              ///< Khronos validation with synchronisation checks
+    std::filesystem::path cache_folder; ///< for the driver's pipeline cache; empty: none
+    UploadPath upload = UploadPath::automatic;
+    gpu::ShaderLookup shaders = shaders::find; ///< those embedded in the program
+};
+
+/// What to draw. Bakes are mapped by the caller and may go once load() has returned.
+struct SceneDescription {
+    std::vector<const BakeFile*> bakes;
+    std::vector<Instance> instances;
+    std::vector<MaterialOverride> overrides;
+};
+
+struct FrameRequest {
+    uvec2 size{1280, 720};
+    Camera camera;
+    Camera previous_camera;    ///< of the frame before, for motion vectors
+    std::vector<Light> lights; ///< at most max_lights, named
+    Settings settings;
+    std::vector<Aov> aovs;
+    bool want_picture = true, want_hdr = false;
+    bool want_statistics = false; ///< triangles and material changes, read back from the device
+    gpu::TimerMode timers = gpu::TimerMode::overlapped;
+};
+
+struct FrameResult {
+    Image8 picture; ///< RGB
+    ImageF hdr;     ///< linear, before exposure
+    std::vector<ImageF> aovs;
+    graph::RunStats stats;
+    double record_ms = 0;               ///< CPU time to build, plan and record the frame
+    std::uint64_t triangles = 0;        ///< drawn after culling
+    std::uint32_t material_changes = 0; ///< between neighbouring visible draws
+};
+
+class Engine {
+public:
+    explicit Engine(const EngineOptions& options);
+    ~Engine();
+    Engine(const Engine&) = delete;
+    Engine& operator=(const Engine&) = delete;
+
+    /// Replaces the scene.
+    void load(const SceneDescription& scene);
+    void unload();
+    /// Draws one frame and waits for it.
+    [[nodiscard]] FrameResult render(const FrameRequest& request);
+
+    [[nodiscard]] const gpu::Device& device() const;
+    [[nodiscard]] const GpuScene& scene() const;
+    [[nodiscard]] graph::Runner& runner();
+    [[nodiscard]] std::size_t validation_messages() const;
+    /// Writes the frame's constants, as render() does: for benchmarks that run graphs of their own.
+    void set_frame_constants(const FrameRequest& request);
+    [[nodiscard]] gpu::Descriptors& descriptors();
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace atrium

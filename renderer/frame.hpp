@@ -1,0 +1,50 @@
+#pragma once
+// The frame: which techniques, in which order.
+
+#include "renderer/gpu_scene.hpp"
+#include "renderer/graph/graph.hpp"
+#include "renderer/settings.hpp"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace atrium {
+
+/// What a frame is made of; everything a technique may ask for.
+struct FrameContext {
+    const Settings& settings;
+    const GpuScene& scene;
+    uvec2 size{0};
+    LightOrder lights;
+};
+
+/// A scene turned into radiance, with the intermediate images that AOVs are made from.
+struct SceneImages {
+    AovInputs aov_inputs;
+    graph::Tex hdr; ///< radiance x exposure, sky included
+};
+
+/// One way of shading a scene. Renderers can be swapped between frames (`renderer.path`).
+class Renderer {
+public:
+    virtual ~Renderer() = default;
+    /// Adds the passes from culling to radiance.
+    [[nodiscard]] virtual SceneImages add_passes(graph::Graph& g, const FrameContext& frame) const = 0;
+};
+
+[[nodiscard]] std::unique_ptr<Renderer> make_renderer(RenderPath path);
+
+/// A frame's graph and those of its images that were asked for.
+struct Frame {
+    graph::Tex picture; ///< RGBA8, sRGB-encoded
+    graph::Tex hdr;     ///< RGBA16F, radiance x exposure
+    std::vector<DrawList> draws; ///< of the camera, in order
+    std::vector<graph::Tex> aovs; ///< as asked, in order
+};
+
+/// The whole frame. Throws Error(usage) when debug.view names no AOV.
+[[nodiscard]] Frame build_frame(graph::Graph& g, const Renderer& renderer, const FrameContext& frame,
+                                std::span<const Aov> aovs, std::span<const Light> lights);
+
+} // namespace atrium

@@ -1,0 +1,329 @@
+#include "renderer/gpu_scene.hpp"
+
+#include "renderer/core/error.hpp"
+#include "renderer/materials/material_class.hpp"
+
+#include <fmt/format.h>
+#include <glm/gtc/packing.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <tuple>
+
+namespace atrium {
+namespace {
+
+/// Layers of the draw order in a doubling of distance. More hide a little better and change material more often.
+constexpr float layers_per_octave = 4;
+
+gpu::Format gpu_format(TextureFormat f)
+{
+    switch (f) {
+    case TextureFormat::rgba8_srgb:
+        return gpu::Format::rgba8_srgb;
+    case TextureFormat::rgba8_unorm:
+        return gpu::Format::rgba8_unorm;
+    case TextureFormat::rg8_unorm:
+        return gpu::Format::rg8_unorm;
+    case TextureFormat::r8_unorm:
+        return gpu::Format::r8_unorm;
+    case TextureFormat::bc1_srgb:
+        return gpu::Format::bc1_srgb;
+    case TextureFormat::bc3_srgb:
+        return gpu::Format::bc3_srgb;
+    case TextureFormat::bc3_unorm:
+        return gpu::Format::bc3_unorm;
+    case TextureFormat::bc5_unorm:
+        return gpu::Format::bc5_unorm;
+    }
+    return gpu::Format::none;
+}
+
+/// A table that shaders read; written once. `fill` gets its mapped bytes.
+template <class T>
+gpu::Buffer make_table(const gpu::Device& device, const char* name, std::span<const T> items)
+{
+    const std::uint64_t bytes = std::max<std::uint64_t>(items.size_bytes(), sizeof(T));
+    gpu::Buffer buffer(device, name, bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT,
+                       gpu::MemoryUse::upload);
+    std::memcpy(buffer.mapped().data(), items.data(), items.size_bytes());
+    buffer.flush();
+    return buffer;
+}
+
+/// Largest factor by which a matrix stretches: for spheres that must stay conservative.
+float max_scale(const mat4& m)
+{
+    return std::sqrt(std::max(
+        {glm::dot(vec3(m[0]), vec3(m[0])), glm::dot(vec3(m[1]), vec3(m[1])), glm::dot(vec3(m[2]), vec3(m[2]))}));
+}
+
+std::vector<std::uint32_t> meshes_of(const Scene& scene, const Instance& instance)
+{
+    if (instance.mesh) return {*instance.mesh};
+    std::vector<std::uint32_t> all(scene.meshes.size());
+    for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
+    return all;
+}
+
+Bounds transformed(const Bounds& b, const mat4& m)
+{
+    Bounds out;
+    for (int corner = 0; corner < 8; ++corner) {
+        const vec3 p(corner & 1 ? b.max.x : b.min.x, corner & 2 ? b.max.y : b.min.y, corner & 4 ? b.max.z : b.min.z);
+        out.add(vec3(m * vec4(p, 1)));
+    }
+    return out;
+}
+
+} // namespace
+
+/// Where each bake's items begin in the common tables.
+struct GpuScene::Bases {
+    std::uint64_t vertices = 0, indices = 0;
+    std::uint32_t materials = 0, textures = 0, meshes = 0, clusters = 0;
+
+    [[nodiscard]] Bases after(const Scene& scene) const
+    {
+        Bases next = *this;
+        next.vertices += scene.vertex_count;
+        next.indices += scene.index_count;
+        next.materials += static_cast<std::uint32_t>(scene.materials.size());
+        next.textures += static_cast<std::uint32_t>(scene.textures.size());
+        next.meshes += static_cast<std::uint32_t>(scene.meshes.size());
+        next.clusters += static_cast<std::uint32_t>(scene.clusters.size());
+        return next;
+    }
+};
+
+std::vector<GpuScene::Bases> GpuScene::bases_of(std::span<const BakeFile* const> bakes)
+{
+    std::vector<Bases> bases(1);
+    for (const BakeFile* bake : bakes) bases.push_back(bases.back().after(bake->scene()));
+    return bases;
+}
+
+GpuScene::GpuScene(const gpu::Device& device, gpu::Descriptors& descriptors, std::span<const BakeFile* const> bakes,
+                   std::span<const Instance> instances, std::span<const MaterialOverride> overrides, UploadPath path)
+    : device_(device), descriptors_(descriptors)
+{
+    load_bulk(bakes, path);
+    make_tables(bakes, instances, overrides);
+}
+
+GpuScene::~GpuScene()
+{
+    for (const gpu::TextureSlot slot : texture_slots_) descriptors_.remove_texture(slot);
+}
+
+void GpuScene::load_bulk(std::span<const BakeFile* const> bakes, UploadPath path)
+{
+    const std::vector<Bases> bases = bases_of(bakes);
+    if (bases.back().vertices > static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max())) {
+        throw Error(ExitCode::environment, "the scene has too many vertices", "", "indirect draws address at most 2^31",
+                    "split it");
+    }
+    constexpr VkBufferUsageFlags common = VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+    vertices_ = gpu::Buffer(device_, "vertices", std::max<std::uint64_t>(bases.back().vertices, 1) * sizeof(Vertex),
+                            VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | common, gpu::MemoryUse::device);
+    indices_ = gpu::Buffer(device_, "indices", std::max<std::uint64_t>(bases.back().indices, 1) * 4,
+                           VK_BUFFER_USAGE_INDEX_BUFFER_BIT | common, gpu::MemoryUse::device);
+    images_.reserve(bases.back().textures);
+    std::vector<UploadJob> jobs;
+    for (std::size_t b = 0; b < bakes.size(); ++b) {
+        const BakeFile& bake = *bakes[b];
+        const auto offset_of = [&](std::span<const std::byte> section) {
+            return static_cast<std::uint64_t>(section.data() - bake.bytes().data());
+        };
+        UploadJob job{bake.bytes(), {}, {}};
+        job.buffers.push_back(
+            {&vertices_, bases[b].vertices * sizeof(Vertex), offset_of(bake.vertices()), bake.vertices().size()});
+        job.buffers.push_back({&indices_, bases[b].indices * 4, offset_of(bake.indices()), bake.indices().size()});
+        for (const Texture& texture : bake.scene().textures) {
+            if (is_block_compressed(texture.format) && !device_.report().optional.block_compression) {
+                throw Error(ExitCode::environment, "the device cannot sample block-compressed textures",
+                            bake.path().string(),
+                            fmt::format("{} has the format {}", texture.file, to_string(texture.format)),
+                            "bake the scene again with --textures rgba8");
+            }
+            images_.emplace_back(device_, texture.file,
+                                 gpu::ImageDesc{gpu_format(texture.format), texture.width, texture.height, texture.mips,
+                                                1, VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+            texture_slots_.push_back(descriptors_.add_texture(images_.back()));
+            const auto offsets = mip_offsets(texture.format, texture.width, texture.height, texture.mips);
+            for (std::uint32_t mip = 0; mip < texture.mips; ++mip) {
+                const std::uint64_t size =
+                    mip_bytes(texture.format, std::max(texture.width >> mip, 1u), std::max(texture.height >> mip, 1u));
+                job.images.push_back(
+                    {&images_.back(), mip, offset_of(bake.texels()) + texture.offset + offsets[mip], size});
+            }
+        }
+        jobs.push_back(std::move(job));
+    }
+    upload(device_, jobs, path);
+}
+
+/// Tables under construction, in host memory.
+struct GpuScene::Tables {
+    std::vector<Material> materials; ///< with overrides applied
+    std::vector<shared::GpuMaterial> gpu_materials;
+    std::vector<shared::GpuCluster> clusters;
+    std::vector<shared::GpuRecord> records;
+    std::array<std::vector<shared::DrawCommand>, material_class_count> whole; ///< by draw rank: a command per record
+};
+
+void GpuScene::make_tables(std::span<const BakeFile* const> bakes, std::span<const Instance> instances,
+                           std::span<const MaterialOverride> overrides)
+{
+    const std::vector<Bases> bases = bases_of(bakes);
+    Tables tables;
+    for (std::size_t b = 0; b < bakes.size(); ++b) {
+        const Scene& scene = bakes[b]->scene();
+        add_materials(scene, bases[b].textures, overrides, tables);
+        for (const Cluster& c : scene.clusters) {
+            const auto first = static_cast<std::uint32_t>(bases[b].indices) + c.first_index;
+            tables.clusters.push_back({c.centre, c.radius, c.cone_axis, c.cone_cutoff, first, c.index_count});
+        }
+    }
+    for (std::uint32_t i = 0; i < instances.size(); ++i) {
+        const Scene& scene = bakes[instances[i].bake]->scene();
+        for (const std::uint32_t mesh : meshes_of(scene, instances[i])) {
+            add_record(scene, mesh, instances[i], i, bases[instances[i].bake], tables);
+        }
+    }
+    constexpr std::size_t record_capacity = (1u << 24) - 1; // what the G-buffer's id holds
+    if (tables.records.size() > record_capacity) {
+        throw Error(ExitCode::environment, "the scene has too many meshes times instances", "",
+                    fmt::format("{} of at most {}", tables.records.size(), record_capacity), "use fewer instances");
+    }
+    write_tables(tables);
+    find_ranges();
+    sort_for(bounds_.centre());
+}
+
+void GpuScene::add_materials(const Scene& scene, std::uint32_t first_texture,
+                             std::span<const MaterialOverride> overrides, Tables& tables) const
+{
+    const auto slot = [&](std::int32_t texture) {
+        return texture == no_texture ? shared::no_texture_slot
+                                     : texture_slots_[first_texture + static_cast<std::uint32_t>(texture)];
+    };
+    for (Material m : scene.materials) {
+        for (const MaterialOverride& o : overrides) {
+            if (matches_pattern(o.match, m.name)) apply(o, m);
+        }
+        const bool clamp =
+            m.base_color_texture != no_texture && scene.textures[static_cast<std::size_t>(m.base_color_texture)].clamp;
+        tables.gpu_materials.push_back(
+            {vec4(m.base_color, m.opacity),
+             vec4(m.roughness, m.metallic, m.specular, m.alpha_cutoff),
+             {slot(m.base_color_texture) | slot(m.normal_texture) << 16,
+              slot(m.surface_texture) | slot(m.emission_texture) << 16,
+              glm::packHalf2x16(vec2(m.emission.x, m.emission.y)),
+              glm::packHalf2x16(vec2(m.emission.z, 0)) | (clamp ? shared::material_clamps : 0u)}});
+        tables.materials.push_back(std::move(m));
+    }
+}
+
+void GpuScene::add_record(const Scene& scene, std::uint32_t mesh_index, const Instance& instance,
+                          std::uint32_t instance_index, const Bases& base, Tables& tables)
+{
+    const Mesh& mesh = scene.meshes[mesh_index];
+    const Material& material = tables.materials[base.materials + mesh.material];
+    const bool two_sided = mesh.two_sided || material.two_sided || material.cls != MaterialClass::opaque;
+    const auto rank = static_cast<std::uint32_t>(draw_rank(material.cls));
+    const auto index = static_cast<std::uint32_t>(tables.records.size());
+    const mat4 rows = glm::transpose(instance.world_from_object);
+
+    shared::GpuRecord record{};
+    for (int r = 0; r < 3; ++r) record.world_rows[r] = record.prev_rows[r] = rows[r];
+    record.material = base.materials + mesh.material;
+    record.mesh = base.meshes + mesh_index;
+    record.instance = instance_index;
+    record.flags = two_sided ? shared::record_two_sided : 0;
+    record.max_scale = max_scale(instance.world_from_object);
+    record.vertex_offset = static_cast<std::int32_t>(base.vertices);
+    tables.records.push_back(record);
+    tables.whole[rank].push_back({mesh.index_count, 1, static_cast<std::uint32_t>(base.indices) + mesh.first_index,
+                                  record.vertex_offset, index});
+
+    for (std::uint32_t c = mesh.first_cluster; c < mesh.first_cluster + mesh.cluster_count; ++c) {
+        Task task;
+        task.draw = {index, base.clusters + c, static_cast<std::uint32_t>(task_indices_)};
+        task_indices_ += scene.clusters[c].index_count;
+        task.centre = vec3(instance.world_from_object * vec4(scene.clusters[c].centre, 1));
+        task.radius = scene.clusters[c].radius * record.max_scale;
+        task.material = record.material;
+        task.range = 2 * rank + (two_sided ? 1u : 0u);
+        task.unsorted = static_cast<std::uint32_t>(sorted_.size());
+        sorted_.push_back(task);
+    }
+    bounds_.add(transformed(mesh.bounds, instance.world_from_object));
+}
+
+void GpuScene::write_tables(const Tables& tables)
+{
+    std::vector<shared::DrawCommand> commands;
+    for (std::size_t rank = 0; rank < tables.whole.size(); ++rank) {
+        const auto& own = tables.whole[rank];
+        if (own.empty()) continue;
+        whole_ranges_.push_back({material_classes[rank].cls, true, static_cast<std::uint32_t>(commands.size()),
+                                 static_cast<std::uint32_t>(own.size())});
+        commands.insert(commands.end(), own.begin(), own.end());
+    }
+    std::vector<shared::DrawTask> tasks;
+    for (const Task& task : sorted_) tasks.push_back(task.draw);
+    task_count_ = static_cast<std::uint32_t>(tasks.size());
+    materials_ = make_table<shared::GpuMaterial>(device_, "materials", tables.gpu_materials);
+    records_ = make_table<shared::GpuRecord>(device_, "records", tables.records);
+    clusters_ = make_table<shared::GpuCluster>(device_, "clusters", tables.clusters);
+    tasks_ = make_table<shared::DrawTask>(device_, "draw tasks", tasks);
+    order_ = make_table<std::uint32_t>(device_, "draw order", std::vector<std::uint32_t>(tasks.size()));
+    seen_ = make_table<std::uint32_t>(device_, "seen", std::vector<std::uint32_t>(tasks.size()));
+    whole_meshes_ = make_table<shared::DrawCommand>(device_, "whole meshes", commands);
+    descriptors_.set_frame_buffer(gpu::FrameBinding::materials, materials_);
+    descriptors_.set_frame_buffer(gpu::FrameBinding::records, records_);
+    descriptors_.set_frame_buffer(gpu::FrameBinding::clusters, clusters_);
+    descriptors_.set_frame_buffer(gpu::FrameBinding::draw_tasks, tasks_);
+    descriptors_.set_frame_buffer(gpu::FrameBinding::draw_order, order_);
+    const std::uint64_t largest = std::max({vertices_.size(), indices_.size(), task_indices_ * sizeof(std::uint32_t)});
+    if (device_.report().optional.subgroup_ballot && largest <= device_.report().storage_range) {
+        subgroup_size_ = device_.report().subgroup_size;
+        descriptors_.set_frame_buffer(gpu::FrameBinding::vertices, vertices_);
+        descriptors_.set_frame_buffer(gpu::FrameBinding::indices, indices_);
+    }
+}
+
+void GpuScene::find_ranges()
+{
+    std::vector<std::uint32_t> counts(2 * material_class_count);
+    for (const Task& task : sorted_) ++counts[task.range];
+    std::uint32_t first = 0;
+    for (std::uint32_t range = 0; range < counts.size(); ++range) {
+        if (counts[range] == 0) continue;
+        ranges_.push_back({material_classes[range / 2].cls, (range & 1) != 0, first, counts[range]});
+        first += counts[range];
+    }
+}
+
+void GpuScene::sort_for(const vec3& eye)
+{
+    for (Task& task : sorted_) {
+        // By its far end: a wall that passes close by must not be drawn before what stands in front of most of it.
+        task.distance = glm::length(task.centre - eye) + task.radius;
+        task.layer =
+            static_cast<std::int32_t>(std::floor(layers_per_octave * std::log2(std::max(task.distance, 1e-6f))));
+    }
+    std::sort(sorted_.begin(), sorted_.end(), [](const Task& a, const Task& b) {
+        return std::tie(a.range, a.layer, a.material, a.distance, a.unsorted) < // ties by index: never by chance
+               std::tie(b.range, b.layer, b.material, b.distance, b.unsorted);
+    });
+    auto* order = reinterpret_cast<std::uint32_t*>(order_.mapped().data());
+    for (std::size_t i = 0; i < sorted_.size(); ++i) order[i] = sorted_[i].unsorted;
+    order_.flush();
+}
+
+} // namespace atrium

@@ -1,0 +1,86 @@
+#pragma once
+// A scene resident on the device: geometry, textures, tables, and the tasks of its draws in material order.
+
+#include "renderer/gpu/descriptors.hpp"
+#include "renderer/scene/bake_file.hpp"
+#include "renderer/scene/scene_file.hpp"
+#include "renderer/scene_upload.hpp"
+#include "renderer/techniques/culling/culling.hpp"
+#include "renderer/techniques/gbuffer/gbuffer.hpp"
+#include "shaders/shared/culling.h"
+#include "shaders/shared/scene.h"
+
+#include <span>
+#include <vector>
+
+namespace atrium {
+
+/// A copy of a bake, or of one of its meshes, somewhere in the world. Its index is the AOV `instance`.
+struct Instance {
+    std::size_t bake = 0;
+    std::optional<std::uint32_t> mesh; ///< all when empty
+    mat4 world_from_object{1};
+};
+
+class GpuScene {
+public:
+    /// Uploads `bakes`, which must outlive the call only. Throws Error(environment) when memory or the descriptor table
+    /// is exhausted or the device cannot sample the bake's texture formats.
+    GpuScene(const gpu::Device& device, gpu::Descriptors& descriptors, std::span<const BakeFile* const> bakes,
+             std::span<const Instance> instances, std::span<const MaterialOverride> overrides,
+             UploadPath path = UploadPath::automatic);
+    ~GpuScene();
+    GpuScene(const GpuScene&) = delete;
+    GpuScene& operator=(const GpuScene&) = delete;
+
+    [[nodiscard]] Geometry geometry() const { return {&vertices_, &indices_, !device_.report().is_cpu}; }
+    [[nodiscard]] DrawTasks tasks() const { return {task_count_, ranges_, &seen_, task_indices_, subgroup_size_}; }
+    /// Arranges the draw order for a camera: within a material, near clusters first, so that they hide far ones before
+    /// those are shaded. Between frames only.
+    void sort_for(const vec3& eye);
+    /// One command per mesh of each record in file order, nothing culled: opaque ones first, from 0, then those with
+    /// holes. What floor.gbuffer draws.
+    [[nodiscard]] const gpu::Buffer& whole_meshes() const { return whole_meshes_; }
+    [[nodiscard]] std::span<const DrawRange> whole_mesh_ranges() const { return whole_ranges_; }
+
+    [[nodiscard]] const Bounds& bounds() const { return bounds_; } ///< of all instances, world
+    [[nodiscard]] std::uint32_t material_of_task(std::uint32_t ordered) const { return sorted_[ordered].material; }
+
+private:
+    struct Task {
+        shared::DrawTask draw{};
+        vec3 centre{0}; ///< of its bounding sphere, world
+        float radius = 0;
+        std::uint32_t material = 0;
+        std::uint32_t range = 0;    ///< class and sidedness, in draw order
+        std::uint32_t unsorted = 0; ///< index in the task table
+        float distance = 0;         ///< from the eye to the far end of its sphere, m
+        std::int32_t layer = 0;     ///< of distance, logarithmic
+    };
+    struct Bases;
+    struct Tables;
+    [[nodiscard]] static std::vector<Bases> bases_of(std::span<const BakeFile* const> bakes);
+    void load_bulk(std::span<const BakeFile* const> bakes, UploadPath path);
+    void make_tables(std::span<const BakeFile* const> bakes, std::span<const Instance> instances,
+                     std::span<const MaterialOverride> overrides);
+    void add_materials(const Scene& scene, std::uint32_t first_texture, std::span<const MaterialOverride> overrides,
+                       Tables& tables) const;
+    void add_record(const Scene& scene, std::uint32_t mesh_index, const Instance& instance,
+                    std::uint32_t instance_index, const Bases& base, Tables& tables);
+    void write_tables(const Tables& tables);
+    void find_ranges();
+
+    const gpu::Device& device_;
+    gpu::Descriptors& descriptors_;
+    gpu::Buffer vertices_, indices_, materials_, records_, clusters_, tasks_, order_, seen_, whole_meshes_;
+    std::vector<gpu::Image> images_;
+    std::vector<gpu::TextureSlot> texture_slots_;
+    std::vector<DrawRange> ranges_, whole_ranges_;
+    std::vector<Task> sorted_;
+    std::uint32_t task_count_ = 0;
+    std::uint64_t task_indices_ = 0;
+    std::uint32_t subgroup_size_ = 0;
+    Bounds bounds_;
+};
+
+} // namespace atrium

@@ -1,0 +1,84 @@
+#pragma once
+// All settings: each technique's own struct, under the names users know.
+
+#include "renderer/core/setting.hpp"
+#include "renderer/techniques/aov/aov.hpp"
+#include "renderer/techniques/culling/culling.hpp"
+#include "renderer/techniques/gbuffer/gbuffer.hpp"
+#include "renderer/techniques/lighting/lighting.hpp"
+#include "renderer/techniques/sky/sky.hpp"
+#include "renderer/techniques/tonemap/tonemap.hpp"
+
+#include <array>
+
+namespace atrium {
+
+enum class RenderPath : std::uint8_t { deferred };
+constexpr auto enum_names(RenderPath)
+{
+    return std::array{"deferred"};
+}
+
+struct RendererSettings {
+    RenderPath path = RenderPath::deferred;
+};
+
+template <class V>
+void describe(V& v, RendererSettings& s)
+{
+    v.group("renderer", "Renderer");
+    v("path", s.path, "How surfaces are shaded");
+}
+
+struct CameraSettings {
+    float near = 0;
+};
+
+template <class V>
+void describe(V& v, CameraSettings& s)
+{
+    v.group("camera", "Camera");
+    v("near", s.near, "Near plane; 0: from the scene's size (diagonal / 20000, 1 mm to 0.1 m)", Range{0, 100}, "m");
+}
+
+struct TextureSettings {
+    float anisotropy = 8;
+};
+
+template <class V>
+void describe(V& v, TextureSettings& s)
+{
+    v.group("texture", "Texture filtering");
+    v("anisotropy", s.anisotropy, "Most samples along the longer side of a footprint; 1: trilinear", Range{1, 16},
+      "samples", Cpu{1.0f});
+}
+
+struct Settings {
+    RendererSettings renderer;
+    CameraSettings camera;
+    MaterialSettings material;
+    TextureSettings texture;
+    AmbientSettings ambient;
+    SkySettings sky;
+    ExposureSettings exposure;
+    TonemapSettings tonemap;
+    CullingSettings culling;
+    DebugSettings debug;
+};
+
+template <class V>
+void describe(V& v, Settings& s)
+{
+    describe(v, s.renderer);
+    describe(v, s.camera);
+    describe(v, s.material);
+    describe(v, s.texture);
+    describe(v, s.ambient);
+    describe(v, s.sky);
+    describe(v, s.exposure);
+    describe(v, s.tonemap);
+    describe(v, s.culling);
+    describe(v, s.debug);
+}
+
+} // namespace atrium

@@ -1,0 +1,105 @@
+#include "renderer/techniques/aov/aov.hpp"
+
+#include "shaders/shared/aov.h"
+
+#include <fmt/format.h>
+
+namespace atrium {
+namespace {
+
+using gpu::Format;
+using graph::Cmd;
+using graph::Load;
+
+std::string pass_name(const Aov& aov)
+{
+    return aov.info->per_light ? fmt::format("aov.{}.{}", aov.info->name, aov.light)
+                               : fmt::format("aov.{}", aov.info->name);
+}
+
+/// Counts the fragments of the G-buffer pass that reach the shader, drawn again in the same order against a depth
+/// buffer of its own. Holes of masked materials count as drawn.
+graph::Tex add_overdraw(graph::Graph& g, const AovInputs& in)
+{
+    graph::TexDesc desc = g.desc(in.gbuffer.depth);
+    const graph::Tex depth = g.texture("aov.overdraw.depth", desc);
+    desc.format = Format::r32_float;
+    const graph::Tex count = g.texture("aov.overdraw", desc);
+
+    gpu::GraphicsPipelineDesc pipeline;
+    pipeline.vertex = "techniques/gbuffer/gbuffer.vert";
+    pipeline.fragment = "techniques/aov/overdraw.frag";
+    pipeline.input = gpu::VertexInput::scene;
+    pipeline.depth_test = gpu::DepthTest::greater_equal;
+    pipeline.depth_write = true;
+    pipeline.blend = gpu::Blend::add;
+    graph::PassBuilder pass = g.raster("aov.overdraw");
+    for (const DrawList& list : in.draws) reads(pass, list);
+    pass.writes(count, Load::clear).depth(depth, Load::clear, 0.0f).pipeline(pipeline).record([in](Cmd& cmd) {
+        cmd.bind();
+        for (const DrawList& list : in.draws) {
+            bind_geometry(cmd, in.geometry, list);
+            for (const DrawRange& range : list.ranges) {
+                cmd.cull(range.two_sided ? graph::CullMode::none : graph::CullMode::back);
+                cmd.draw_indexed_indirect(list.commands, range.first, range.count);
+            }
+        }
+    });
+    return count;
+}
+
+graph::Tex add_unpacked(graph::Graph& g, const Aov& aov, const AovInputs& in)
+{
+    graph::TexDesc desc = g.desc(in.gbuffer.depth);
+    desc.format = aov.info->channels == 1 ? Format::r32_float : Format::rgba32_float;
+    const graph::Tex target = g.texture(pass_name(aov), desc);
+
+    graph::PassBuilder pass = g.raster(pass_name(aov));
+    reads(pass, in.gbuffer)
+        .reads(in.hdr)
+        .writes(target)
+        .fullscreen("techniques/aov/aov.frag", {aov.info->kind}, shared::AovPush{aov.info->background});
+    return target;
+}
+
+} // namespace
+
+graph::Tex add_aov(graph::Graph& g, const Aov& aov, const AovInputs& in, float exposure)
+{
+    LightingTerms alone;
+    alone.emission = false;
+    alone.scale = 1.0f / exposure;
+    alone.format = Format::rgba32_float;
+    alone.pass = alone.target = pass_name(aov);
+    switch (aov.info->source) {
+    case AovSource::overdraw:
+        return add_overdraw(g, in);
+    case AovSource::ambient:
+        return add_lighting(g, in.gbuffer, alone);
+    case AovSource::light:
+        alone.ambient = false;
+        alone.first_light = in.lights.places[aov.light];
+        alone.end_light = alone.first_light + 1;
+        alone.end_delta = alone.first_light < in.lights.delta_count ? alone.end_light : alone.first_light;
+        return add_lighting(g, in.gbuffer, alone);
+    default:
+        return add_unpacked(g, aov, in);
+    }
+}
+
+graph::Tex add_debug_view(graph::Graph& g, graph::Tex aov, const AovInfo& info, float scene_size)
+{
+    graph::TexDesc desc = g.desc(aov);
+    desc.format = Format::rgba8_srgb;
+    const graph::Tex picture = g.texture("debug_view", desc);
+    const bool whole_scene = info.low == info.high;
+    const float low = whole_scene && info.channels == 3 ? -0.5f * scene_size : info.low;
+    const float high = whole_scene ? (info.channels == 3 ? 0.5f : 1.0f) * scene_size : info.high;
+    g.raster("debug_view")
+        .reads(aov)
+        .writes(picture)
+        .fullscreen("techniques/aov/debug_view.frag", {}, shared::DebugViewPush{info.view_mode, low, high});
+    return picture;
+}
+
+} // namespace atrium

@@ -1,0 +1,78 @@
+#pragma once
+// AOVs (arbitrary output variables): every intermediate value as an image of 32-bit floats. README.md beside this file.
+
+#include "renderer/core/setting.hpp"
+#include "renderer/graph/graph.hpp"
+#include "renderer/scene/light.hpp"
+#include "renderer/techniques/culling/culling.hpp"
+#include "renderer/techniques/gbuffer/gbuffer.hpp"
+#include "renderer/techniques/lighting/lighting.hpp"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace atrium {
+
+struct DebugSettings {
+    std::string view;
+    bool alpha_lod0 = false;
+};
+
+template <class V>
+void describe(V& v, DebugSettings& s)
+{
+    v.group("debug", "Debugging");
+    v("view", s.view, "Show an AOV in place of the picture (its name; empty: the picture)");
+    v("alpha_lod0", s.alpha_lod0, "Test masks at mip 0, to compare with ray tracing");
+}
+
+enum class AovSource : std::uint8_t {
+    gbuffer,  ///< unpacked from the G-buffer; `kind` says what
+    light,    ///< lighting by one light alone
+    ambient,  ///< lighting by ambient light alone
+    hdr,      ///< radiance before exposure
+    overdraw, ///< a count made by a pass of its own
+    constant, ///< a technique that is off or does not exist yet: its background everywhere
+};
+
+struct AovInfo {
+    const char* name; ///< "light" for "light.L" when per_light
+    bool per_light;
+    int channels; ///< 1, 2 or 3 of the image's four
+    AovSource source;
+    std::uint32_t kind;      ///< shared::aov_…
+    float background;        ///< of AovSource::constant
+    std::uint32_t view_mode; ///< shared::view_…: how debug.view shows it
+    float low, high;         ///< range shown; low == high: 0 to a scene's size
+};
+
+/// An AOV that was asked for: the table's row and, where it has one, the light.
+struct Aov {
+    const AovInfo* info = nullptr;
+    std::uint32_t light = 0;
+};
+
+[[nodiscard]] std::span<const AovInfo> aov_table();
+
+/// "depth", "light.key", "visibility.0"… Throws Error(usage) naming the nearest valid AOV or light.
+[[nodiscard]] Aov parse_aov(std::string_view name, std::span<const Light> lights);
+
+/// What AOVs are made from.
+struct AovInputs {
+    GBuffer gbuffer;
+    graph::Tex hdr;
+    std::vector<DrawList> draws;
+    Geometry geometry;
+    LightOrder lights;
+};
+
+/// Writes the AOV (R32F or RGBA32F; `channels` of them mean something), render size.
+[[nodiscard]] graph::Tex add_aov(graph::Graph& g, const Aov& aov, const AovInputs& in, float exposure);
+
+/// Shows an AOV's image as a picture (RGBA8 sRGB). `scene_size` is the range of distances, m.
+[[nodiscard]] graph::Tex add_debug_view(graph::Graph& g, graph::Tex aov, const AovInfo& info, float scene_size);
+
+} // namespace atrium

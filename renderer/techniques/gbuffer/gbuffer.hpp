@@ -1,0 +1,66 @@
+#pragma once
+// The G-buffer: what the camera sees, unlit. Layout and bits per target: README.md beside this file.
+
+#include "renderer/core/setting.hpp"
+#include "renderer/graph/graph.hpp"
+#include "renderer/techniques/culling/culling.hpp"
+
+namespace atrium {
+
+/// How materials are read.
+struct MaterialSettings {
+    bool normal_mapping = true;
+    bool specular_mapping = true;
+};
+
+template <class V>
+void describe(V& v, MaterialSettings& s)
+{
+    v.group("", "Materials");
+    v("normal_mapping", s.normal_mapping, "Bend normals by the materials' normal maps");
+    v("specular_mapping", s.specular_mapping, "Vary specular strength, roughness and metalness by the materials' maps");
+}
+
+struct GBuffer {
+    graph::Tex albedo, normal, id, emission, motion, depth;
+};
+
+/// Declares that a pass samples the G-buffer: its first six images, as shaders/lib/gbuffer.glsl has them.
+graph::PassBuilder& reads(graph::PassBuilder& pass, const GBuffer& gb);
+
+/// The scene's vertex and index buffers.
+struct Geometry {
+    const gpu::Buffer* vertices = nullptr;
+    const gpu::Buffer* indices = nullptr;
+    bool materials_diverge = true; ///< fragments of several draws may share a subgroup: on all but CPU devices
+};
+
+/// Declares that a pass draws a list; then, while it is recorded, binds the vertices and indices that the list means.
+graph::PassBuilder& reads(graph::PassBuilder& pass, const DrawList& draws);
+void bind_geometry(graph::Cmd& cmd, const Geometry& geometry, const DrawList& draws);
+
+/// Binds each class's pipeline once and draws its ranges from `draw(first, count)`. For any pass over the scene whose
+/// pipelines were declared by scene_pipelines().
+void draw_ranges(graph::Cmd& cmd, std::span<const DrawRange> ranges,
+                 const std::function<void(std::uint32_t first, std::uint32_t count)>& draw);
+
+/// One pipeline per class that occurs in `ranges`, in the order in which draw_ranges() binds them.
+void scene_pipelines(graph::PassBuilder& pass, std::span<const DrawRange> ranges, const std::string& shaders,
+                     const gpu::GraphicsPipelineDesc& state);
+
+/// Reads  draw commands.  Writes  albedo, normal, id, emission, motion, depth (size x size).
+[[nodiscard]] GBuffer add_gbuffer(graph::Graph& g, const DrawList& draws, const Geometry& geometry, uvec2 size,
+                                  const std::string& pass_name = "gbuffer");
+
+/// A G-buffer, and what was drawn into it: with occlusion culling two lists, in this order.
+struct CulledGBuffer {
+    GBuffer gbuffer;
+    std::vector<DrawList> draws;
+};
+
+/// Culls and draws: passes `cull` and `gbuffer`, with occlusion culling also `depth_pyramid.N`, `cull.late` and
+/// `gbuffer.late`.
+[[nodiscard]] CulledGBuffer add_culled_gbuffer(graph::Graph& g, const DrawTasks& tasks, const Geometry& geometry,
+                                               uvec2 size, const CullingSettings& s);
+
+} // namespace atrium
