@@ -1,0 +1,206 @@
+// The programs as users call them: exit codes, files and messages.
+
+#include "app/child_process.hpp"
+#include "renderer/core/image.hpp"
+#include "tests/rig/frame_rig.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+namespace atrium {
+namespace {
+
+struct Outcome {
+    int code = 0;
+    std::string output; ///< stdout and stderr
+};
+
+std::string quoted(const std::string& word)
+{
+    return fmt::format("'{}'", word);
+}
+
+Outcome atrium(const std::vector<std::string>& arguments)
+{
+    std::string command = quoted((app::this_program().parent_path() / "atrium").string());
+    for (const std::string& word : arguments) command += " " + quoted(word);
+    Outcome outcome;
+    FILE* pipe = popen((command + " 2>&1").c_str(), "r"); // NOLINT: the words are the test's own
+    std::array<char, 4096> buffer{};
+    while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe)) outcome.output.append(buffer.data(), n);
+    const int status = pclose(pipe);
+    outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return outcome;
+}
+
+std::string text_of(const std::filesystem::path& file)
+{
+    std::ifstream in(file);
+    std::ostringstream out;
+    out << in.rdbuf();
+    return out.str();
+}
+
+std::filesystem::path in_folder(const std::string& name)
+{
+    return rig::temporary_folder() / name;
+}
+std::string court()
+{
+    return rig::courtyard_bake().string();
+}
+
+TEST(program, version_is_quick_and_every_command_has_help)
+{
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_EQ(atrium({"--version"}).code, 0);
+    EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
+              0.5); // 0.05 without sanitizers
+    for (const char* command : {"render", "bench", "settings", "devices"}) {
+        const Outcome help = atrium({command, "--help"});
+        EXPECT_EQ(help.code, 0);
+        EXPECT_NE(help.output.find("Example"), std::string::npos) << command;
+    }
+}
+
+TEST(program, wrong_use_ends_with_2_and_names_the_nearest)
+{
+    const std::string png = in_folder("wrong.png").string();
+    const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+        {{"frobnicate"}, ""},
+        {{"rendr"}, "render"},
+        {{"render", court(), "-o", png, "--sizee", "64x36"}, "--size"},
+        {{"render", court(), "-o", png, "--size", "64"}, "WxH"},
+        {{"render", court(), "-o", png, "--set", "tonemap.oprator=aces"}, "tonemap.operator"},
+        {{"render", court(), "-o", png, "--set", "tonemap.operator=aecs"}, "aces"},
+        {{"render", court(), "-o", png, "--set", "exposure.ev100=x"}, "exposure.ev100"},
+        {{"render", court(), "-o", png, "--set", "camera.near=-5"}, "camera.near"},
+        {{"render", court(), "-o", png, "--light", "spot,potision=0:1:0"}, "position"},
+        {{"render", court(), "-o", png, "--light", "sun,name=a", "--light", "sun,name=a"}, "a"},
+        {{"render", court(), "-o", png, "--aov", "dpeth=d.exr"}, "depth"},
+        {{"render", court(), "-o", png, "--eye", "0,1,0", "--target", "0,1,0"}, "camera"},
+        {{"render", court(), "-o", "picture.jpg"}, ".png"},
+        {{"render", court(), "-o", png, "--camera", "nave"}, "camera"},
+        {{"render", court(), "-o", png, "--preset", "referense"}, "reference"},
+        {{"render", court(), "-o", png, "--frames", "0"}, "--frames"},
+    };
+    for (const auto& [arguments, word] : cases) {
+        const Outcome outcome = atrium(arguments);
+        EXPECT_EQ(outcome.code, 2) << outcome.output;
+        EXPECT_NE(outcome.output.find(word), std::string::npos) << word << "\n" << outcome.output;
+        EXPECT_FALSE(std::filesystem::exists(png));
+    }
+}
+
+TEST(program, bad_and_missing_files_end_with_3_unwritable_ones_with_4)
+{
+    const std::string png = in_folder("bad.png").string();
+    EXPECT_EQ(atrium({"render", "nowhere.atrium", "-o", png}).code, 3);
+    std::ofstream(in_folder("wrong.toml")) << "bake = \"" << court() << "\"\n[camera.door]\neey = [1.0, 2.0, 1.0]\n";
+    const Outcome outcome = atrium({"render", in_folder("wrong.toml").string(), "-o", png});
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_NE(outcome.output.find("wrong.toml:3"), std::string::npos) << outcome.output;
+    EXPECT_EQ(atrium({"render", court(), "-o", "no/such/folder/out.png"}).code, 4);
+    EXPECT_EQ(atrium({"render", court(), "-o", png, "--device", "no such device"}).code, 2);
+}
+
+TEST(program, minus_may_begin_a_value)
+{
+    const std::string png = in_folder("minus.png").string();
+    EXPECT_EQ(atrium({"render", court(), "-o", png, "--size", "32x18", "--eye", "-1,2,1", "--target", "-.5,2,0"}).code,
+              0);
+}
+
+TEST(program, a_picture_carries_what_draws_it_again)
+{
+    const std::string first = in_folder("first.png").string(), second = in_folder("second.png").string();
+    ASSERT_EQ(atrium({"render", court(), "-o", first, "--size", "64x36", "--eye", "-8,1.7,0.5", "--target", "8,2.5,0",
+                      "--light", "point,position=0:3:0,name=lamp", "--set", "exposure.ev100=1.5", "--set",
+                      "sky.zenith=0.1:0.2:0.9"})
+                  .code,
+              0);
+    ASSERT_EQ(atrium({"render", court(), "-o", second, "--config", first}).code, 0);
+    EXPECT_EQ(text_of(first), text_of(second));
+    ImageMetadata metadata;
+    static_cast<void>(read_png(first, &metadata));
+    const std::string text = metadata.at("atrium");
+    EXPECT_NE(text.find("lamp"), std::string::npos);
+    EXPECT_EQ(text.find("first.png"), std::string::npos) << "no output name, so that equal pictures are equal files";
+}
+
+TEST(program, frames_are_numbered_and_resumed)
+{
+    const std::string pattern = in_folder("f.##.png").string();
+    ASSERT_EQ(atrium({"render", court(), "-o", pattern, "--size", "32x18", "--frames", "2-4"}).code, 0);
+    for (const char* name : {"f.02.png", "f.03.png", "f.04.png"})
+        EXPECT_TRUE(std::filesystem::exists(in_folder(name))) << name;
+    EXPECT_FALSE(std::filesystem::exists(in_folder("f.05.png")));
+    const auto before = std::filesystem::last_write_time(in_folder("f.03.png"));
+    std::filesystem::remove(in_folder("f.04.png"));
+    ASSERT_EQ(atrium({"render", court(), "-o", pattern, "--size", "32x18", "--frames", "2-4", "--resume"}).code, 0);
+    EXPECT_TRUE(std::filesystem::exists(in_folder("f.04.png")));
+    EXPECT_EQ(std::filesystem::last_write_time(in_folder("f.03.png")), before);
+}
+
+TEST(program, stats_and_bench_have_their_keys)
+{
+    const std::string stats_file = in_folder("stats.json").string(), bench_file = in_folder("bench.json").string();
+    ASSERT_EQ(
+        atrium({"render", court(), "-o", in_folder("s.png").string(), "--size", "64x36", "--stats", stats_file}).code,
+        0);
+    const auto stats = nlohmann::json::parse(text_of(stats_file));
+    for (const char* key : {"device", "size", "frames", "load_ms", "frame_ms", "cpu_ms", "passes", "draws", "triangles",
+                            "pipeline_binds", "material_changes", "memory_bytes", "validation_messages"}) {
+        EXPECT_TRUE(stats.contains(key)) << key;
+    }
+    ASSERT_EQ(atrium({"bench", court(), "--size", "64x36", "--floors", "--runs", "2", "--json", bench_file}).code, 0);
+    std::vector<std::string> names;
+    const auto bench = nlohmann::json::parse(text_of(bench_file));
+    for (const auto& row : bench.at("runs")) names.push_back(row.at("name"));
+    for (const char* name : {"cull", "gbuffer", "lighting", "sky", "tonemap", "frame", "load", "floor.t16",
+                             "floor.gbuffer", "floor.lighting", "floor.copy"}) {
+        EXPECT_NE(std::find(names.begin(), names.end(), name), names.end()) << name;
+    }
+}
+
+TEST(program, scene_file_places_instances_and_overrides_materials)
+{
+    std::ofstream(in_folder("scene.toml"))
+        << "bake = \"" << court() << "\"\n"
+        << "[camera.end]\neye = [-8.0, 1.7, 0.5]\ntarget = [8.0, 2.5, 0.0]\n"
+        << "[[light]]\ntype = \"sun\"\nname = \"sun\"\n"
+        << "[[instance]]\nbake = \"" << court() << "\"\nposition = [0.0, 20.0, 0.0]\n"
+        << "[[material]]\nmatch = \"*\"\nroughness = 0.25\n";
+    const std::string aov = in_folder("instance.exr").string(), rough = in_folder("rough.exr").string();
+    ASSERT_EQ(atrium({"render", in_folder("scene.toml").string(), "-o", in_folder("scene.png").string(), "--size",
+                      "64x36", "--eye", "0,60,0.1", "--target", "0,0,0", "--aov", "instance=" + aov, "--aov",
+                      "roughness=" + rough, "--set", "specular_mapping=off"})
+                  .code,
+              0);
+    const ImageF instance = read_exr(aov), roughness = read_exr(rough);
+    bool upper = false;
+    for (std::size_t i = 0; i < instance.values.size(); ++i) {
+        upper = upper || instance.values[i] == 1;
+        if (instance.values[i] >= 0) {
+            EXPECT_NEAR(roughness.values[i], 0.25f, 0.005f);
+        }
+    }
+    EXPECT_TRUE(upper) << "the second instance stands above the first and is seen from above";
+}
+
+TEST(docs, settings_page_is_what_the_program_says)
+{
+    EXPECT_EQ(text_of(std::filesystem::path(ATRIUM_SOURCE) / "docs" / "settings.md"),
+              atrium({"settings", "--markdown"}).output)
+        << "make it anew: atrium settings --markdown > docs/settings.md";
+}
+
+} // namespace
+} // namespace atrium
