@@ -26,22 +26,31 @@ void Timers::reset()
     names_.clear();
 }
 
+namespace {
+
+/// Not a dependency of the frame's (those are the graph's): it only keeps passes from overlapping while measured.
+void wait_for_everything(VkCommandBuffer cmd)
+{
+    VkMemoryBarrier2 everything{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+    everything.srcStageMask = everything.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    everything.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
+    everything.dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT;
+    VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    dependency.memoryBarrierCount = 1;
+    dependency.pMemoryBarriers = &everything;
+    vkCmdPipelineBarrier2(cmd, &dependency);
+}
+
+} // namespace
+
 void Timers::stamp(VkCommandBuffer cmd, TimerMode mode)
 {
     if (used_ == capacity_) throw std::logic_error("more passes than timers");
-    if (mode == TimerMode::serialized) {
-        // Not a dependency of the frame's (those are the graph's): it only keeps passes from overlapping while
-        // measured.
-        VkMemoryBarrier2 everything{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
-        everything.srcStageMask = everything.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
-        everything.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
-        everything.dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT;
-        VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
-        dependency.memoryBarrierCount = 1;
-        dependency.pMemoryBarriers = &everything;
-        vkCmdPipelineBarrier2(cmd, &dependency);
-    }
+    if (mode == TimerMode::serialized) wait_for_everything(cmd);
     vkCmdWriteTimestamp2(cmd, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, pool_, used_++);
+    // lavapipe puts a timestamp among the commands of the targets last drawn to, and reads the clock only when those
+    // are flushed: after a dispatch, or after draws to the same targets, that follow it.
+    if (mode == TimerMode::serialized) wait_for_everything(cmd);
 }
 
 void Timers::begin(VkCommandBuffer cmd, std::string name, TimerMode mode)

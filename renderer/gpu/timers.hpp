@@ -10,7 +10,7 @@ namespace atrium::gpu {
 
 enum class TimerMode {
     overlapped, ///< timestamps as they fall: passes may run into each other, single figures can mislead
-    serialized, ///< a full barrier before each timestamp: every figure is its pass's own, their sum is the frame
+    serialized, ///< full barriers around each timestamp: every figure is its pass's own, their sum is the frame
 };
 
 struct PassTime {
