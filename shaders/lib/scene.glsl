@@ -20,24 +20,24 @@ struct Material {
     uint base_color_slot, normal_slot, surface_slot, emission_slot; // or no_texture_slot
 };
 
-Material unpack_material(GpuMaterial packed)
+/// `factors`, `slots` and `flags` of a GpuMaterial; the record in the low bits of `flags`.
+Material unpack_material(uvec4 factors, uvec2 slots, uint flags)
 {
     Material m;
-    m.base_color = packed.base.rgb;
-    m.opacity = packed.base.a;
-    m.roughness = packed.surface.x;
-    m.metallic = packed.surface.y;
-    m.specular = packed.surface.z;
-    m.alpha_cutoff = packed.surface.w;
-    m.base_color_slot = packed.slots.x & 0xffffu;
-    m.normal_slot = packed.slots.x >> 16;
-    m.surface_slot = packed.slots.y & 0xffffu;
-    m.emission_slot = packed.slots.y >> 16;
+    vec2 blue_opacity = unpackHalf2x16(factors.y), surface = unpackHalf2x16(factors.z), rest = unpackHalf2x16(factors.w);
+    m.base_color = vec3(unpackHalf2x16(factors.x), blue_opacity.x);
+    m.opacity = blue_opacity.y;
+    m.roughness = surface.x;
+    m.metallic = surface.y;
+    m.specular = rest.x;
+    m.alpha_cutoff = rest.y;
+    m.base_color_slot = slots.x & 0xffffu;
+    m.normal_slot = slots.x >> 16;
+    m.surface_slot = slots.y & 0xffffu;
+    m.emission_slot = slots.y >> 16;
     m.emission = vec3(0.0);
-    if ((packed.slots.z | (packed.slots.w & 0xffffu)) != 0u) {
-        m.emission = vec3(unpackHalf2x16(packed.slots.z), unpackHalf2x16(packed.slots.w & 0xffffu).x);
-    }
-    m.sampler_slot = (packed.slots.w & material_clamps) != 0u ? 1u : 0u; // sampler_material_clamp, sampler_material
+    if ((flags & material_emits) != 0u) m.emission = material_table[record_table[flags & 0xffffffu].material].emission;
+    m.sampler_slot = (flags & material_clamps) != 0u ? 1u : 0u; // sampler_material_clamp, sampler_material
     return m;
 }
 

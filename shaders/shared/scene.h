@@ -6,18 +6,20 @@ SHARED_BEGIN
 
 const uint no_texture_slot = 0xffffu;
 
-const uint material_clamps = 0x10000u; // in GpuMaterial::slots.w: textures clamp to edge instead of repeating
+// In GpuMaterial::flags, above the 24 bits of a record.
+const uint material_clamps = 0x1000000u; // textures clamp to edge instead of repeating
+const uint material_emits = 0x2000000u;
 
-/// A material in 48 bytes, as it travels from vertex to fragment stage.
 struct GpuMaterial {
-    vec4 base;    // base colour, opacity
-    vec4 surface; // perceptual roughness, metallic, dielectric F0, alpha cutoff
-    uvec4 slots;  // 16-bit slots of the texture table, or no_texture_slot: base colour | normal << 16,
-                  // surface | emission << 16; emission in halves: rg, b in the low half beside material_clamps
+    uvec4 factors; // pairs of halves: base colour rg; b, opacity; perceptual roughness, metallic; dielectric F0, alpha cutoff
+    uvec2 slots;   // 16-bit slots of the texture table, or no_texture_slot: base colour | normal << 16, surface | emission << 16
+    uint flags;
+    vec3 emission; // radiance
 };
 
 const uint record_moves = 1; // prev_from_object differs from world_from_object
 const uint record_two_sided = 2;
+const uint record_has_holes = 4; // fragments may be discarded
 
 /// One mesh of one instance: what a draw's first instance index points to.
 struct GpuRecord {
@@ -43,7 +45,7 @@ struct GpuCluster {
 
 SHARED_END
 #ifdef __cplusplus
-static_assert(sizeof(atrium::shared::GpuMaterial) == 48);
+static_assert(sizeof(atrium::shared::GpuMaterial) == 40);
 static_assert(sizeof(atrium::shared::GpuRecord) == 120);
 static_assert(sizeof(atrium::shared::GpuCluster) == 40);
 #endif

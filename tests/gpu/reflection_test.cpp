@@ -86,7 +86,7 @@ TEST(shared_structs, frame_constants_and_lights_have_one_layout)
 TEST(shared_structs, scene_tables_have_one_layout)
 {
     const Offsets o = offsets_in("techniques/gbuffer/gbuffer.vert");
-    EXPECT_MEMBER(o, GpuMaterial, surface);
+    EXPECT_MEMBER(o, GpuMaterial, flags);
     EXPECT_MEMBER(o, GpuMaterial, slots);
     EXPECT_MEMBER(o, GpuRecord, prev_rows);
     EXPECT_MEMBER(o, GpuRecord, material);

@@ -9,15 +9,15 @@ layout(location = 1) in uint packed_normal;
 layout(location = 2) in uint packed_tangent;
 layout(location = 3) in vec2 uv;
 
-layout(location = 0) out vec3 v_offset;    // from the eye, m, world: small numbers keep derivatives exact
-layout(location = 1) out vec3 v_normal;
+// Few and full varyings: a CPU device pays for each by vertex, by triangle and by block of pixels.
+layout(location = 0) out vec4 v_offset_u;  // from the eye, m, world: small numbers keep derivatives exact; u
+layout(location = 1) out vec4 v_normal_v;  // normal, v
 layout(location = 2) out vec4 v_tangent;
-layout(location = 3) out vec2 v_uv;
-layout(location = 4) out vec3 v_prev_clip; // x, y, w one frame earlier
-layout(location = 5) flat out uint v_record;
+layout(location = 3) out vec3 v_prev_clip; // x, y, w one frame earlier
 // The material travels with the vertices: on a CPU device a fragment's look-up in a table costs eight scalar loads a
 // word, a constant varying nothing.
-layout(location = 6) flat out GpuMaterial v_material;
+layout(location = 4) flat out uvec4 v_factors;
+layout(location = 5) flat out uvec3 v_slots; // slots, flags and record
 
 invariant gl_Position;
 
@@ -30,12 +30,12 @@ void main()
     if ((record_table[index].flags & record_moves) != 0u) previous = transform_point(record_table[index].prev_rows, position);
 
     vec4 tangent = tangent_unpack(packed_tangent);
-    v_offset = world - frame.eye;
-    v_normal = transform_vector(rows, oct_unpack(packed_normal, 16u));
+    v_offset_u = vec4(world - frame.eye, uv.x);
+    v_normal_v = vec4(transform_vector(rows, oct_unpack(packed_normal, 16u)), uv.y);
     v_tangent = vec4(transform_vector(rows, tangent.xyz), tangent.w);
-    v_uv = uv;
     v_prev_clip = (frame.prev_clip_from_world * vec4(previous, 1)).xyw;
-    v_record = index;
-    v_material = material_table[record_table[index].material];
+    uint material = record_table[index].material;
+    v_factors = material_table[material].factors;
+    v_slots = uvec3(material_table[material].slots, material_table[material].flags | index);
     gl_Position = frame.clip_from_world * vec4(world, 1);
 }
