@@ -173,7 +173,7 @@ void Engine::set_frame_constants(const FrameRequest& request)
 
 namespace {
 
-/// Adds what the commands that the GPU left after culling draw.
+/// What the commands that the GPU left after culling draw.
 void count_draws(std::span<const std::byte> bytes, const GpuScene& scene, FrameResult& result)
 {
     const auto* commands = reinterpret_cast<const shared::DrawCommand*>(bytes.data());
@@ -207,15 +207,14 @@ FrameResult Engine::render(const FrameRequest& request)
     s.readbacks.begin();
     const gpu::Buffer* picture = nullptr;
     const gpu::Buffer* hdr = nullptr;
-    std::vector<const gpu::Buffer*> commands, aovs;
+    const gpu::Buffer* commands = nullptr;
+    std::vector<const gpu::Buffer*> aovs;
     if (request.want_picture) picture = &read_back(g, s.readbacks, frame.picture, "picture");
     if (request.want_hdr) hdr = &read_back(g, s.readbacks, frame.hdr, "hdr");
     for (std::size_t i = 0; i < frame.aovs.size(); ++i) {
         aovs.push_back(&read_back(g, s.readbacks, frame.aovs[i], fmt::format("aov.{}", i)));
     }
-    for (const DrawList& draws : frame.draws) {
-        if (request.want_statistics && draws.count > 0) commands.push_back(&read_back(g, s.readbacks, draws));
-    }
+    if (request.want_statistics && frame.draws.count > 0) commands = &read_back(g, s.readbacks, frame.draws);
 
     FrameResult result;
     const double built_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -232,7 +231,7 @@ FrameResult Engine::render(const FrameRequest& request)
     for (std::size_t i = 0; i < aovs.size(); ++i) {
         result.aovs.push_back(to_image(bytes_in(*aovs[i]), g.desc(frame.aovs[i]), request.aovs[i].info->channels, 1));
     }
-    for (const gpu::Buffer* buffer : commands) count_draws(bytes_in(*buffer), *s.scene, result);
+    if (commands) count_draws(bytes_in(*commands), *s.scene, result);
     return result;
 }
 

@@ -10,14 +10,14 @@ public:
     SceneImages add_passes(graph::Graph& g, const FrameContext& frame) const override
     {
         const Settings& s = frame.settings;
-        const auto [gbuffer, draws] =
+        const auto [gbuffer, draws, occluders] =
             add_culled_gbuffer(g, frame.scene.tasks(), frame.scene.geometry(), frame.size, s.culling);
         LightingTerms all;
         all.end_delta = frame.lights.delta_count;
         all.end_light = static_cast<std::uint32_t>(frame.lights.places.size());
         const graph::Tex hdr = add_lighting(g, gbuffer, all);
         add_sky(g, gbuffer.depth, hdr);
-        return {{gbuffer, hdr, draws, frame.scene.geometry(), frame.lights}, hdr};
+        return {{gbuffer, hdr, draws, occluders, frame.scene.geometry(), frame.lights}, hdr};
     }
 };
 

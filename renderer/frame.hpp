@@ -37,9 +37,9 @@ public:
 
 /// A frame's graph and those of its images that were asked for.
 struct Frame {
-    graph::Tex picture; ///< RGBA8, sRGB-encoded
-    graph::Tex hdr;     ///< RGBA16F, radiance x exposure
-    std::vector<DrawList> draws; ///< of the camera, in order
+    graph::Tex picture;           ///< RGBA8, sRGB-encoded
+    graph::Tex hdr;               ///< RGBA16F, radiance x exposure
+    DrawList draws;               ///< into the G-buffer
     std::vector<graph::Tex> aovs; ///< as asked, in order
 };
 

@@ -17,7 +17,7 @@ namespace atrium {
 namespace {
 
 /// Layers of the draw order in a doubling of distance. More hide a little better and change material more often.
-constexpr float layers_per_octave = 4;
+constexpr float layers_per_octave = 16;
 
 gpu::Format gpu_format(TextureFormat f)
 {
@@ -217,13 +217,16 @@ void GpuScene::add_materials(const Scene& scene, std::uint32_t first_texture,
         }
         const bool clamp =
             m.base_color_texture != no_texture && scene.textures[static_cast<std::size_t>(m.base_color_texture)].clamp;
-        tables.gpu_materials.push_back(
-            {vec4(m.base_color, m.opacity),
-             vec4(m.roughness, m.metallic, m.specular, m.alpha_cutoff),
-             {slot(m.base_color_texture) | slot(m.normal_texture) << 16,
-              slot(m.surface_texture) | slot(m.emission_texture) << 16,
-              glm::packHalf2x16(vec2(m.emission.x, m.emission.y)),
-              glm::packHalf2x16(vec2(m.emission.z, 0)) | (clamp ? shared::material_clamps : 0u)}});
+        const bool emits = m.emission != vec3(0) || m.emission_texture != no_texture;
+        shared::GpuMaterial packed{};
+        packed.factors = {
+            glm::packHalf2x16(vec2(m.base_color.x, m.base_color.y)), glm::packHalf2x16(vec2(m.base_color.z, m.opacity)),
+            glm::packHalf2x16(vec2(m.roughness, m.metallic)), glm::packHalf2x16(vec2(m.specular, m.alpha_cutoff))};
+        packed.slots = {slot(m.base_color_texture) | slot(m.normal_texture) << 16,
+                        slot(m.surface_texture) | slot(m.emission_texture) << 16};
+        packed.flags = (clamp ? shared::material_clamps : 0u) | (emits ? shared::material_emits : 0u);
+        packed.emission = m.emission;
+        tables.gpu_materials.push_back(packed);
         tables.materials.push_back(std::move(m));
     }
 }
@@ -243,7 +246,8 @@ void GpuScene::add_record(const Scene& scene, std::uint32_t mesh_index, const In
     record.material = base.materials + mesh.material;
     record.mesh = base.meshes + mesh_index;
     record.instance = instance_index;
-    record.flags = two_sided ? shared::record_two_sided : 0;
+    record.flags = (two_sided ? shared::record_two_sided : 0u) |
+                   (material_classes[rank].has_holes ? shared::record_has_holes : 0u);
     record.max_scale = max_scale(instance.world_from_object);
     record.vertex_offset = static_cast<std::int32_t>(base.vertices);
     tables.records.push_back(record);
@@ -282,7 +286,6 @@ void GpuScene::write_tables(const Tables& tables)
     clusters_ = make_table<shared::GpuCluster>(device_, "clusters", tables.clusters);
     tasks_ = make_table<shared::DrawTask>(device_, "draw tasks", tasks);
     order_ = make_table<std::uint32_t>(device_, "draw order", std::vector<std::uint32_t>(tasks.size()));
-    seen_ = make_table<std::uint32_t>(device_, "seen", std::vector<std::uint32_t>(tasks.size()));
     whole_meshes_ = make_table<shared::DrawCommand>(device_, "whole meshes", commands);
     descriptors_.set_frame_buffer(gpu::FrameBinding::materials, materials_);
     descriptors_.set_frame_buffer(gpu::FrameBinding::records, records_);

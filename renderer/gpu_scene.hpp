@@ -34,7 +34,10 @@ public:
     GpuScene& operator=(const GpuScene&) = delete;
 
     [[nodiscard]] Geometry geometry() const { return {&vertices_, &indices_, !device_.report().is_cpu}; }
-    [[nodiscard]] DrawTasks tasks() const { return {task_count_, ranges_, &seen_, task_indices_, subgroup_size_}; }
+    [[nodiscard]] DrawTasks tasks() const
+    {
+        return {task_count_, ranges_, task_indices_, subgroup_size_, device_.report().subpixel_bits};
+    }
     /// Arranges the draw order for a camera: within a material, near clusters first, so that they hide far ones before
     /// those are shaded. Between frames only.
     void sort_for(const vec3& eye);
@@ -72,7 +75,7 @@ private:
 
     const gpu::Device& device_;
     gpu::Descriptors& descriptors_;
-    gpu::Buffer vertices_, indices_, materials_, records_, clusters_, tasks_, order_, seen_, whole_meshes_;
+    gpu::Buffer vertices_, indices_, materials_, records_, clusters_, tasks_, order_, whole_meshes_;
     std::vector<gpu::Image> images_;
     std::vector<gpu::TextureSlot> texture_slots_;
     std::vector<DrawRange> ranges_, whole_ranges_;

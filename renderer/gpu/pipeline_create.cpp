@@ -60,8 +60,11 @@ VkPipelineShaderStageCreateInfo stage_info(VkShaderStageFlagBits stage, VkShader
 VkPipeline Pipelines::create(const GraphicsPipelineDesc& desc)
 {
     const Specialization constants(desc.constants);
-    const std::array stages{stage_info(VK_SHADER_STAGE_VERTEX_BIT, module(desc.vertex), constants),
-                            stage_info(VK_SHADER_STAGE_FRAGMENT_BIT, module(desc.fragment), constants)};
+    std::vector stages{stage_info(VK_SHADER_STAGE_VERTEX_BIT, module(desc.vertex), constants)};
+    if (!desc.fragment.empty()) {
+        stages.push_back(stage_info(VK_SHADER_STAGE_FRAGMENT_BIT, module(desc.fragment), constants));
+    }
+    const std::string& name = desc.fragment.empty() ? desc.vertex : desc.fragment;
 
     VkPipelineVertexInputStateCreateInfo input{VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
     if (desc.input == VertexInput::scene) {
@@ -116,8 +119,8 @@ VkPipeline Pipelines::create(const GraphicsPipelineDesc& desc)
     create.layout = descriptors_.pipeline_layout();
     VkPipeline pipeline = VK_NULL_HANDLE;
     check(vkCreateGraphicsPipelines(device_.handle(), cache_, 1, &create, nullptr, &pipeline),
-          fmt::format("compile the pipeline of {}", desc.fragment));
-    device_.name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<std::uint64_t>(pipeline), desc.fragment);
+          fmt::format("compile the pipeline of {}", name));
+    device_.name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<std::uint64_t>(pipeline), name);
     return pipeline;
 }
 

@@ -28,7 +28,7 @@ enum class DepthTest : std::uint8_t {
 /// What a pass draws with. The target formats come from the pass's attachments; cull mode is dynamic state.
 /// Shaders are named by their path below shaders/.
 struct GraphicsPipelineDesc {
-    std::string vertex, fragment;
+    std::string vertex, fragment; ///< no fragment shader where only depth is drawn
     VertexInput input = VertexInput::none;
     Blend blend = Blend::off;
     DepthTest depth_test = DepthTest::off;

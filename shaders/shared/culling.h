@@ -3,8 +3,13 @@
 #include "types.h"
 SHARED_BEGIN
 
-const uint cull_frustum = 1, cull_cone = 2;
+const uint cull_frustum = 1, cull_cone = 2, cull_single_triangles = 4;
+const uint instances_of_partly_hidden = 2; // in a command that `cull` leaves to `cull.triangles`: some may be hidden
 const uint cull_group_size = 64;
+
+// Squared angle per triangle, in square radians, from which a cluster is an occluder: its triangles then take some
+// thousand pixels each of a picture 720 high at 60 degrees. Smaller ones hide little for what their depth costs.
+const float occluder_angle2 = 1e-3;
 
 /// A cluster of a record: one command of the indirect multi-draw.
 struct DrawTask {
@@ -35,8 +40,8 @@ struct PackedVertex {
 };
 
 const uint pyramid_levels = 3;
-const uint pyramid_base = 8; // pixels along the side of a cell of level 0
-const uint pyramid_step = 4; // cells of a level along the side of a cell of the next
+const uint pyramid_base_log2 = 2, pyramid_base = 1u << pyramid_base_log2; // pixels along the side of a cell of level 0
+const uint pyramid_step_log2 = 2, pyramid_step = 1u << pyramid_step_log2; // its cells along the side of one of the next
 const uint pyramid_group_size = 64;
 
 /// A level of the depth pyramid: rows of cells, each the smallest (farthest) reversed depth under it.
@@ -50,7 +55,7 @@ struct PyramidPush {
     PyramidLevel target;
 };
 
-struct LateCullPush {
+struct OcclusionPush {
     CullPush cull;
     PyramidLevel levels[pyramid_levels];
 };

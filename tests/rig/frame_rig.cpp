@@ -126,6 +126,9 @@ void FrameRig::begin()
     scene.instances.push_back({0, std::nullopt, mat4(1)});
     engine().load(scene);
     request.size = {320, 180};
+    SettingList list;
+    describe(list, request.settings);
+    if (engine().device().report().is_cpu) list.apply_cpu_defaults();
     request.settings.texture.anisotropy = 1;
     request.settings.tonemap.tone_operator = ToneOperator::linear;
     request.want_picture = false;

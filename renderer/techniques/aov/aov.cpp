@@ -17,8 +17,8 @@ std::string pass_name(const Aov& aov)
                                : fmt::format("aov.{}", aov.info->name);
 }
 
-/// Counts the fragments of the G-buffer pass that reach the shader, drawn again in the same order against a depth
-/// buffer of its own. Holes of masked materials count as drawn.
+/// Counts the fragments of the G-buffer pass that reach the shader, drawn again in the same order, after the
+/// same occluders, against a depth buffer of its own. Holes of masked materials count as drawn.
 graph::Tex add_overdraw(graph::Graph& g, const AovInputs& in)
 {
     graph::TexDesc desc = g.desc(in.gbuffer.depth);
@@ -33,18 +33,21 @@ graph::Tex add_overdraw(graph::Graph& g, const AovInputs& in)
     pipeline.depth_test = gpu::DepthTest::greater_equal;
     pipeline.depth_write = true;
     pipeline.blend = gpu::Blend::add;
+    const bool prepass = static_cast<bool>(in.occluders.commands);
+    if (prepass) add_depth_prepass(g, in.occluders, in.geometry, depth, "aov.overdraw.prepass");
     graph::PassBuilder pass = g.raster("aov.overdraw");
-    for (const DrawList& list : in.draws) reads(pass, list);
-    pass.writes(count, Load::clear).depth(depth, Load::clear, 0.0f).pipeline(pipeline).record([in](Cmd& cmd) {
-        cmd.bind();
-        for (const DrawList& list : in.draws) {
-            bind_geometry(cmd, in.geometry, list);
-            for (const DrawRange& range : list.ranges) {
+    reads(pass, in.draws)
+        .writes(count, Load::clear)
+        .depth(depth, prepass ? Load::keep : Load::clear, 0.0f)
+        .pipeline(pipeline)
+        .record([in](Cmd& cmd) {
+            cmd.bind();
+            bind_geometry(cmd, in.geometry, in.draws);
+            for (const DrawRange& range : in.draws.ranges) {
                 cmd.cull(range.two_sided ? graph::CullMode::none : graph::CullMode::back);
-                cmd.draw_indexed_indirect(list.commands, range.first, range.count);
+                cmd.draw_indexed_indirect(in.draws.commands, range.first, range.count);
             }
-        }
-    });
+        });
     return count;
 }
 

@@ -64,7 +64,7 @@ struct Aov {
 struct AovInputs {
     GBuffer gbuffer;
     graph::Tex hdr;
-    std::vector<DrawList> draws;
+    DrawList draws, occluders;
     Geometry geometry;
     LightOrder lights;
 };

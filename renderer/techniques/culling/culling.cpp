@@ -6,15 +6,23 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
 
 namespace atrium {
 namespace {
 
 using Levels = std::array<shared::PyramidLevel, shared::pyramid_levels>;
 
+bool culls_triangles(const DrawTasks& tasks, const CullingSettings& s)
+{
+    return s.triangles && tasks.subgroup_size > 0 && tasks.count > 0;
+}
+
 shared::CullPush push_of(const DrawTasks& tasks, const CullingSettings& s)
 {
-    return {tasks.count, (s.frustum ? shared::cull_frustum : 0u) | (s.cone ? shared::cull_cone : 0u)};
+    return {tasks.count, (s.frustum ? shared::cull_frustum : 0u) | (s.cone ? shared::cull_cone : 0u) |
+                             (culls_triangles(tasks, s) ? shared::cull_single_triangles : 0u)};
 }
 
 graph::Buf create_commands(graph::Graph& g, const char* name, const DrawTasks& tasks)
@@ -63,9 +71,9 @@ graph::Buf add_depth_pyramid(graph::Graph& g, graph::Tex depth, const Levels& le
         } else {
             pass.updates(pyramid);
         }
-        pass.pipeline(gpu::ComputePipelineDesc{i == 0 ? "techniques/culling/depth_pyramid_base.comp"
-                                                      : "techniques/culling/depth_pyramid.comp",
-                                               {}})
+        pass
+            .pipeline(gpu::ComputePipelineDesc{
+                i == 0 ? "techniques/culling/depth_pyramid_base.comp" : "techniques/culling/depth_pyramid.comp", {}})
             .record([push](graph::Cmd& cmd) {
                 cmd.bind();
                 cmd.push(push);
@@ -75,75 +83,56 @@ graph::Buf add_depth_pyramid(graph::Graph& g, graph::Tex depth, const Levels& le
     return pyramid;
 }
 
-bool culls_triangles(const DrawTasks& tasks, const CullingSettings& s)
+/// Thins out what `list` draws, which becomes a copy of the indices that are kept.
+template <class Push>
+void add_triangle_culling(graph::Graph& g, const DrawTasks& tasks, DrawList& list, const std::string& name,
+                          const char* shader, graph::Buf pyramid, const Push& push)
 {
-    return s.triangles && tasks.subgroup_size > 0 && tasks.count > 0;
-}
-
-graph::Buf create_indices(graph::Graph& g, const DrawTasks& tasks)
-{
-    return g.buffer("culled_indices", tasks.index_count * sizeof(std::uint32_t));
-}
-
-/// Thins out what `list` draws. `indices` has a slot for each task, so lists without common tasks can share it.
-void add_triangle_culling(graph::Graph& g, const DrawTasks& tasks, DrawList& list, graph::Buf indices,
-                          const std::string& pass_name)
-{
-    list.indices = indices;
-    g.compute(pass_name)
-        .updates(list.commands)
-        .updates(indices)
-        .pipeline(gpu::ComputePipelineDesc{"techniques/culling/cull_triangles.comp", {tasks.subgroup_size}})
-        .record([count = tasks.count](graph::Cmd& cmd) {
+    const float snap = std::exp2(-static_cast<float>(tasks.subpixel_bits)) + 1.0f / 512; // and its viewport's rounding
+    list.indices = g.buffer(name + ".indices", tasks.index_count * sizeof(std::uint32_t));
+    graph::PassBuilder pass = g.compute(name);
+    pass.updates(list.commands).writes(list.indices);
+    if (pyramid) pass.reads(pyramid);
+    pass.pipeline(gpu::ComputePipelineDesc{shader, {tasks.subgroup_size, std::bit_cast<std::uint32_t>(snap)}})
+        .record([=](graph::Cmd& cmd) {
             cmd.bind();
-            cmd.dispatch(count, 1);
+            cmd.push(push);
+            cmd.dispatch(tasks.count, 1);
         });
 }
 
 } // namespace
 
-DrawList add_culling(graph::Graph& g, const DrawTasks& tasks, const CullingSettings& s)
+DrawList add_occluders(graph::Graph& g, const DrawTasks& tasks, const CullingSettings& s)
 {
-    const graph::Buf commands = create_commands(g, "draw_commands", tasks);
-    graph::PassBuilder pass = g.compute("cull");
-    pass.writes(commands);
-    dispatch_per_task(pass, "techniques/culling/cull.comp", tasks.count, push_of(tasks, s));
-    DrawList list{commands, tasks.ranges, tasks.count, {}};
-    if (culls_triangles(tasks, s)) add_triangle_culling(g, tasks, list, create_indices(g, tasks), "cull.triangles");
+    DrawList list{create_commands(g, "occluder_commands", tasks), tasks.ranges, tasks.count, {}};
+    graph::PassBuilder pass = g.compute("cull.occluders");
+    pass.writes(list.commands);
+    dispatch_per_task(pass, "techniques/culling/cull_occluders.comp", tasks.count, push_of(tasks, s));
     return list;
 }
 
-OcclusionCulling::OcclusionCulling(graph::Graph& g, const DrawTasks& tasks, const CullingSettings& s)
-    : tasks_(tasks), settings_(s), seen_(g.import("seen", *tasks.seen, gpu::Access::storage_write))
+DrawList add_culling(graph::Graph& g, const DrawTasks& tasks, const CullingSettings& s, graph::Tex occluders)
 {
-    if (culls_triangles(tasks, s)) indices_ = create_indices(g, tasks);
-}
-
-DrawList OcclusionCulling::add_seen(graph::Graph& g) const
-{
-    const graph::Buf commands = create_commands(g, "draw_commands", tasks_);
+    DrawList list{create_commands(g, "draw_commands", tasks), tasks.ranges, tasks.count, {}};
+    shared::OcclusionPush push{push_of(tasks, s), {}};
+    graph::Buf pyramid;
+    if (occluders) {
+        const Levels levels = levels_over({g.desc(occluders).width, g.desc(occluders).height});
+        std::copy(levels.begin(), levels.end(), push.levels);
+        pyramid = add_depth_pyramid(g, occluders, levels);
+    }
     graph::PassBuilder pass = g.compute("cull");
-    pass.writes(commands).reads(seen_);
-    dispatch_per_task(pass, "techniques/culling/cull_seen.comp", tasks_.count, push_of(tasks_, settings_));
-    DrawList list{commands, tasks_.ranges, tasks_.count, {}};
-    if (indices_) add_triangle_culling(g, tasks_, list, indices_, "cull.triangles");
-    return list;
-}
-
-DrawList OcclusionCulling::add_late(graph::Graph& g, graph::Tex depth) const
-{
-    const Levels levels = levels_over({g.desc(depth).width, g.desc(depth).height});
-    const graph::Buf pyramid = add_depth_pyramid(g, depth, levels);
-    const graph::Buf commands = create_commands(g, "draw_commands.late", tasks_);
-    shared::LateCullPush push{push_of(tasks_, settings_), {}};
-    std::copy(levels.begin(), levels.end(), push.levels);
-
-    graph::PassBuilder pass = g.compute("cull.late");
-    pass.writes(commands).updates(seen_).reads(pyramid);
-    dispatch_per_task(pass, "techniques/culling/cull_late.comp", tasks_.count, push);
-    g.keep(seen_, gpu::Access::storage_write);
-    DrawList list{commands, tasks_.ranges, tasks_.count, {}};
-    if (indices_) add_triangle_culling(g, tasks_, list, indices_, "cull.late.triangles");
+    pass.writes(list.commands);
+    if (pyramid) pass.reads(pyramid);
+    dispatch_per_task(pass, pyramid ? "techniques/culling/cull_visible.comp" : "techniques/culling/cull.comp",
+                      tasks.count, push);
+    if (culls_triangles(tasks, s)) {
+        add_triangle_culling(g, tasks, list, "cull.triangles",
+                             pyramid ? "techniques/culling/cull_triangles_visible.comp"
+                                     : "techniques/culling/cull_triangles.comp",
+                             pyramid, push);
+    }
     return list;
 }
 

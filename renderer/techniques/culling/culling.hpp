@@ -23,8 +23,9 @@ void describe(V& v, CullingSettings& s)
     v.group("culling", "Culling");
     v("frustum", s.frustum, "Leave out clusters outside the view");
     v("cone", s.cone, "Leave out clusters of which every triangle faces away (one-sided meshes)");
-    v("occlusion", s.occlusion, "Leave out clusters hidden behind what was seen in the frame before");
-    v("triangles", s.triangles, "Leave out single triangles that face away or cover no pixel's centre", Cpu{true});
+    v("occlusion", s.occlusion, "Draw depth of large triangles first, and leave out what it hides");
+    v("triangles", s.triangles, "Leave out single triangles that face away, cover no pixel's centre or are hidden",
+      Cpu{true});
 }
 
 /// Neighbouring draw commands that share pipeline and cull mode.
@@ -38,9 +39,9 @@ struct DrawRange {
 struct DrawTasks {
     std::uint32_t count = 0;
     std::span<const DrawRange> ranges;
-    const gpu::Buffer* seen = nullptr; ///< a word per task: whether the frame before saw it
-    std::uint64_t index_count = 0;     ///< of all tasks
-    std::uint32_t subgroup_size = 0;   ///< 0: single triangles cannot be culled, for the device or the scene's size
+    std::uint64_t index_count = 0;   ///< of all tasks
+    std::uint32_t subgroup_size = 0; ///< 0: single triangles cannot be culled, for the device or the scene's size
+    std::uint32_t subpixel_bits = 4; ///< of the device's rasterisation
 };
 
 /// The commands of a frame: one VkDrawIndexedIndirectCommand per task, in draw order.
@@ -51,25 +52,15 @@ struct DrawList {
     graph::Buf indices; ///< instead of the scene's own, where triangles were culled
 };
 
-/// Reads the scene's tables.  Writes one draw command per task; culled ones draw no instance.
-/// Source: Haar & Aaltonen 2015, "GPU-Driven Rendering Pipelines"; cone rule: meshoptimizer.
-[[nodiscard]] DrawList add_culling(graph::Graph& g, const DrawTasks& tasks, const CullingSettings& s);
+/// Reads  the scene's tables; with `occluders`, their depth (D32, reversed).  One draw command per task; culled ones
+/// draw no instance. Passes `cull`, with single triangles `cull.triangles`, with occluders `depth_pyramid.N`. Source:
+/// Haar & Aaltonen 2015, "GPU-Driven Rendering Pipelines"; cone rule: meshoptimizer; triangles: Wihlidal 2016,
+/// "Optimizing the Graphics Pipeline with Compute"; pyramid: Greene et al. 1993, "Hierarchical Z-Buffer Visibility".
+[[nodiscard]] DrawList add_culling(graph::Graph& g, const DrawTasks& tasks, const CullingSettings& s,
+                                   graph::Tex occluders = {});
 
-/// Occlusion culling in two halves: draw what the first returns, then what the second makes of its depth. Together they
-/// hold everything that can be seen, whatever the frame before saw.
-/// Source: Haar & Aaltonen 2015, as above; the pyramid: Greene et al. 1993, "Hierarchical Z-Buffer Visibility".
-class OcclusionCulling {
-public:
-    OcclusionCulling(graph::Graph& g, const DrawTasks& tasks, const CullingSettings& s);
-    /// Commands of the clusters that the frame before saw.
-    [[nodiscard]] DrawList add_seen(graph::Graph& g) const;
-    /// Reads  depth of the first half (D32, reversed).  Commands of what else it does not hide.
-    [[nodiscard]] DrawList add_late(graph::Graph& g, graph::Tex depth) const;
-
-private:
-    DrawTasks tasks_;
-    CullingSettings settings_;
-    graph::Buf seen_, indices_;
-};
+/// Reads  the scene's tables.  The tasks whose depth is worth drawing before everything else: in the view, without
+/// holes, and with triangles large enough to hide much. Passes `cull.occluders`, `cull.occluders.triangles`.
+[[nodiscard]] DrawList add_occluders(graph::Graph& g, const DrawTasks& tasks, const CullingSettings& s);
 
 } // namespace atrium

@@ -77,10 +77,30 @@ void draw_ranges(graph::Cmd& cmd, std::span<const DrawRange> ranges,
     }
 }
 
+void add_depth_prepass(graph::Graph& g, const DrawList& draws, const Geometry& geometry, graph::Tex depth,
+                       const std::string& pass_name)
+{
+    gpu::GraphicsPipelineDesc state;
+    state.vertex = "techniques/gbuffer/depth_prepass.vert";
+    state.input = gpu::VertexInput::scene;
+    state.depth_test = gpu::DepthTest::greater_equal;
+    state.depth_write = true;
+    graph::PassBuilder pass = g.raster(pass_name);
+    reads(pass, draws).depth(depth, Load::clear, 0.0f).pipeline(state).record([=](graph::Cmd& cmd) {
+        cmd.bind();
+        bind_geometry(cmd, geometry, draws);
+        for (const DrawRange& range : draws.ranges) {
+            if (info_of(range.cls).has_holes) continue;
+            cmd.cull(range.two_sided ? graph::CullMode::none : graph::CullMode::back);
+            cmd.draw_indexed_indirect(draws.commands, range.first, range.count);
+        }
+    });
+}
+
 namespace {
 
-/// `load` is clear for the first pass over the targets, keep for those that add to them.
-void add_pass(graph::Graph& g, const DrawList& draws, const Geometry& geometry, const GBuffer& gb, Load load,
+/// `depth`: keep where a prepass has drawn some of it.
+void add_pass(graph::Graph& g, const DrawList& draws, const Geometry& geometry, const GBuffer& gb, Load depth,
               const std::string& name)
 {
     gpu::GraphicsPipelineDesc state;
@@ -90,15 +110,14 @@ void add_pass(graph::Graph& g, const DrawList& draws, const Geometry& geometry, 
     state.constants = {geometry.materials_diverge ? 1u : 0u};
 
     // Only id and depth are cleared: a background id says that the other targets hold nothing.
-    const Load others = load == Load::clear ? Load::discard : load;
     graph::PassBuilder pass = g.raster(name);
     reads(pass, draws)
-        .writes(gb.albedo, others)
-        .writes(gb.normal, others)
-        .writes(gb.id, load)
-        .writes(gb.emission, others)
-        .writes(gb.motion, others)
-        .depth(gb.depth, load, 0.0f);
+        .writes(gb.albedo)
+        .writes(gb.normal)
+        .writes(gb.id, Load::clear)
+        .writes(gb.emission)
+        .writes(gb.motion)
+        .depth(gb.depth, depth, 0.0f);
     scene_pipelines(pass, draws.ranges, "techniques/gbuffer/gbuffer", state);
     pass.record([=](graph::Cmd& cmd) {
         bind_geometry(cmd, geometry, draws);
@@ -123,14 +142,14 @@ CulledGBuffer add_culled_gbuffer(graph::Graph& g, const DrawTasks& tasks, const 
 {
     if (!s.occlusion) {
         const DrawList draws = add_culling(g, tasks, s);
-        return {add_gbuffer(g, draws, geometry, size), {draws}};
+        return {add_gbuffer(g, draws, geometry, size), draws, {}};
     }
-    const OcclusionCulling culling(g, tasks, s);
-    const DrawList seen = culling.add_seen(g);
-    const GBuffer gb = add_gbuffer(g, seen, geometry, size);
-    const DrawList late = culling.add_late(g, gb.depth);
-    add_pass(g, late, geometry, gb, Load::keep, "gbuffer.late");
-    return {gb, {seen, late}};
+    const DrawList occluders = add_occluders(g, tasks, s);
+    const GBuffer gb = create_targets(g, size);
+    add_depth_prepass(g, occluders, geometry, gb.depth);
+    const DrawList draws = add_culling(g, tasks, s, gb.depth);
+    add_pass(g, draws, geometry, gb, Load::keep, "gbuffer");
+    return {gb, draws, occluders};
 }
 
 } // namespace atrium

@@ -52,14 +52,18 @@ void scene_pipelines(graph::PassBuilder& pass, std::span<const DrawRange> ranges
 [[nodiscard]] GBuffer add_gbuffer(graph::Graph& g, const DrawList& draws, const Geometry& geometry, uvec2 size,
                                   const std::string& pass_name = "gbuffer");
 
-/// A G-buffer, and what was drawn into it: with occlusion culling two lists, in this order.
+/// Reads  draw commands.  Writes  depth of their materials without holes, cleared before.
+void add_depth_prepass(graph::Graph& g, const DrawList& draws, const Geometry& geometry, graph::Tex depth,
+                       const std::string& pass_name = "depth_prepass");
+
+/// A G-buffer, what was drawn into it, and of what the depth was drawn before (without commands: of nothing).
 struct CulledGBuffer {
     GBuffer gbuffer;
-    std::vector<DrawList> draws;
+    DrawList draws, occluders;
 };
 
-/// Culls and draws: passes `cull` and `gbuffer`, with occlusion culling also `depth_pyramid.N`, `cull.late` and
-/// `gbuffer.late`.
+/// Culls and draws: passes `cull` and `gbuffer`; with occlusion culling before them `cull.occluders`, `depth_prepass`
+/// and `depth_pyramid.N`; with single triangles `cull.triangles` and `cull.occluders.triangles`.
 [[nodiscard]] CulledGBuffer add_culled_gbuffer(graph::Graph& g, const DrawTasks& tasks, const Geometry& geometry,
                                                uvec2 size, const CullingSettings& s);
 

@@ -10,5 +10,5 @@ void main()
     uint i = gl_GlobalInvocationID.x;
     if (i >= push.count) return;
     DrawTask task = task_table[order_table[i]];
-    write_command(i, task, may_be_seen(task, sphere_of(task), push.flags));
+    write_command(i, task, may_be_seen(task, sphere_of(task), push.flags) ? 1u : 0u);
 }

@@ -46,9 +46,9 @@ bool may_be_seen(DrawTask task, ClusterSphere s, uint flags)
 }
 
 /// Commands keep their place, so the picture never depends on the order in which threads ran.
-void write_command(uint i, DrawTask task, bool drawn)
+void write_command(uint i, DrawTask task, uint instances)
 {
-    commands[i] = DrawCommand(cluster_table[task.cluster].index_count, drawn ? 1u : 0u,
+    commands[i] = DrawCommand(cluster_table[task.cluster].index_count, instances,
                               cluster_table[task.cluster].first_index, record_table[task.record].vertex_offset,
                               task.record);
 }

@@ -1,5 +1,5 @@
 #version 460
-// A further level of the depth pyramid: the farthest depth of 4 x 4 cells of the level below.
+// A further level of the depth pyramid: the farthest depth of pyramid_step x pyramid_step cells of the level below.
 #extension GL_GOOGLE_include_directive : require
 #include "lib/pass.glsl"
 #include "shared/culling.h"

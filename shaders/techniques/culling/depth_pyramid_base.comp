@@ -1,5 +1,5 @@
 #version 460
-// Level 0 of the depth pyramid: the farthest depth under cells of 8 x 8 pixels.
+// Level 0 of the depth pyramid: the farthest depth under cells of pyramid_base x pyramid_base pixels.
 #extension GL_GOOGLE_include_directive : require
 #include "lib/frame.glsl"
 #include "lib/pass.glsl"
