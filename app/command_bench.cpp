@@ -206,7 +206,7 @@ Run add_bench_command(CLI::App& app)
         ->check(CLI::ExistingFile);
     command->add_option("--json", o->json, "figures as JSON to a file, or - for the terminal");
     command->footer("Example:\n  atrium bench sponza.atrium --eye -11.5,1.7,-0.4 --target 10,3.5,-0.4 --floors\n"
-                    "Passes are timed with a full barrier before each timestamp, `frame` without.");
+                    "Passes are timed with full barriers around each timestamp, `frame` without.");
     return [o] { return run(*o); };
 }
 
