@@ -44,8 +44,8 @@ bool within_world(const vec3& p)
 
 void check_camera(const Camera& camera, ExitCode code, std::string_view where)
 {
-    const auto fail = [&](std::string what, std::string why, std::string next) {
-        throw Error(code, std::move(what), std::string(where), std::move(why), std::move(next));
+    const auto fail = [&](const std::string& what, std::string why, std::string next) {
+        throw Error(code, what, std::string(where), std::move(why), std::move(next));
     };
     if (!within_world(camera.eye) || !within_world(camera.target)) {
         fail("the camera stands outside the world",
