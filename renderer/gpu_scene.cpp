@@ -293,7 +293,9 @@ void GpuScene::write_tables(const Tables& tables)
     descriptors_.set_frame_buffer(gpu::FrameBinding::draw_tasks, tasks_);
     descriptors_.set_frame_buffer(gpu::FrameBinding::draw_order, order_);
     const std::uint64_t largest = std::max({vertices_.size(), indices_.size(), task_indices_ * sizeof(std::uint32_t)});
-    if (device_.report().optional.subgroup_ballot && largest <= device_.report().storage_range) {
+    constexpr std::size_t most_groups = 65535; // of a dispatch, on every device: culling triangles takes one a task
+    if (device_.report().optional.subgroup_ballot && largest <= device_.report().storage_range &&
+        tasks.size() <= most_groups) {
         subgroup_size_ = device_.report().subgroup_size;
         descriptors_.set_frame_buffer(gpu::FrameBinding::vertices, vertices_);
         descriptors_.set_frame_buffer(gpu::FrameBinding::indices, indices_);

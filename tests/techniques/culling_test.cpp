@@ -5,6 +5,7 @@
 #include "tests/truth/scene_builder.hpp"
 #include "tests/truth/shapes.hpp"
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -106,6 +107,21 @@ TEST(culling, a_wall_hides_what_stands_behind_it)
     }
     rig.look({0, 4, -3}, {0, 0, -3.1f}); // a cut to behind the wall
     EXPECT_GT(rig.render().triangles, 500u);
+}
+
+TEST(culling, more_clusters_than_a_dispatch_has_groups)
+{
+    rig::FrameRig rig(truth::floor_scene());
+    SceneDescription scene;
+    scene.bakes.push_back(&rig.bake());
+    for (int i = 0; i < 66'000; ++i) // every device has 65,535 groups, lavapipe no more
+        scene.instances.push_back(
+            {0, std::nullopt, glm::translate(mat4(1), vec3(0, -0.01f * static_cast<float>(i), 0))});
+    rig::engine().load(scene);
+    rig.request.size = {64, 36};
+    rig.look({0, 2, 0}, {0, 0, -2});
+    set_culling(rig, true);
+    EXPECT_EQ(*rig.aov("instance").at(32, 20), 0); // and validation says nothing (rig)
 }
 
 TEST(draws, bind_once_per_class_and_draw_at_most_once_per_material)
