@@ -84,9 +84,8 @@ graph::Buf add_depth_pyramid(graph::Graph& g, graph::Tex depth, const Levels& le
 }
 
 /// Thins out what `list` draws, which becomes a copy of the indices that are kept.
-template <class Push>
 void add_triangle_culling(graph::Graph& g, const DrawTasks& tasks, DrawList& list, const std::string& name,
-                          const char* shader, graph::Buf pyramid, const Push& push)
+                          const char* shader, graph::Buf pyramid, const shared::OcclusionPush& push)
 {
     const float snap = std::exp2(-static_cast<float>(tasks.subpixel_bits)) + 1.0f / 512; // and its viewport's rounding
     list.indices = g.buffer(name + ".indices", tasks.index_count * sizeof(std::uint32_t));

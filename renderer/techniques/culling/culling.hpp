@@ -60,7 +60,7 @@ struct DrawList {
                                    graph::Tex occluders = {});
 
 /// Reads  the scene's tables.  The tasks whose depth is worth drawing before everything else: in the view, without
-/// holes, and with triangles large enough to hide much. Passes `cull.occluders`, `cull.occluders.triangles`.
+/// holes, and with triangles large enough to hide much. Pass `cull.occluders`.
 [[nodiscard]] DrawList add_occluders(graph::Graph& g, const DrawTasks& tasks, const CullingSettings& s);
 
 } // namespace atrium

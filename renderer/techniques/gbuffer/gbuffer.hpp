@@ -63,7 +63,7 @@ struct CulledGBuffer {
 };
 
 /// Culls and draws: passes `cull` and `gbuffer`; with occlusion culling before them `cull.occluders`, `depth_prepass`
-/// and `depth_pyramid.N`; with single triangles `cull.triangles` and `cull.occluders.triangles`.
+/// and `depth_pyramid.N`; with single triangles `cull.triangles`.
 [[nodiscard]] CulledGBuffer add_culled_gbuffer(graph::Graph& g, const DrawTasks& tasks, const Geometry& geometry,
                                                uvec2 size, const CullingSettings& s);
 
