@@ -54,7 +54,7 @@ private:
 std::string floor_of(const std::string& name)
 {
     if (name.starts_with("floor.")) return "";
-    if (name == "gbuffer" || name == "cull+gbuffer") return "floor.gbuffer";
+    if (name.starts_with("gbuffer") || name == "cull+gbuffer") return "floor.gbuffer";
     if (name == "lighting") return "floor.lighting";
     if (name == "load") return "floor.copy";
     if (name == "parse") return "load";
@@ -64,7 +64,7 @@ std::string floor_of(const std::string& name)
 /// Passes of add_culled_gbuffer().
 bool fills_gbuffer(const std::string& pass)
 {
-    return pass == "gbuffer" || pass.starts_with("cull") || pass.starts_with("depth_");
+    return pass.starts_with("gbuffer") || pass.starts_with("cull") || pass.starts_with("depth_");
 }
 
 void bench_load(Engine& engine, const SceneInput& scene, const std::filesystem::path& source, int runs,
@@ -99,7 +99,8 @@ void bench_load(Engine& engine, const SceneInput& scene, const std::filesystem::
 
 void bench_frames(Engine& engine, FrameRequest request, bool floors, int runs, Samples& samples)
 {
-    for (int run = -1; run < runs; ++run) { // the first warms the pipelines
+    request.remember = true;
+    for (int run = -2; run < runs; ++run) { // the first two warm the pipelines and what frames remember
         Samples discarded;
         Samples& into = run < 0 ? discarded : samples;
         request.timers = gpu::TimerMode::serialized;

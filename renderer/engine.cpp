@@ -121,6 +121,7 @@ struct Engine::State {
     Readbacks readbacks;
     gpu::Buffer constants;
     std::unique_ptr<GpuScene> scene;
+    std::optional<SeenTriangles> seen; ///< of the scene, once a frame was to be remembered
     std::unique_ptr<Renderer> renderer;
     RenderPath path = RenderPath::deferred;
 };
@@ -151,13 +152,14 @@ std::size_t Engine::validation_messages() const
 
 void Engine::load(const SceneDescription& scene)
 {
-    state_->scene.reset();
+    unload();
     state_->scene = std::make_unique<GpuScene>(state_->device, state_->descriptors, scene.bakes, scene.instances,
                                                scene.overrides, state_->options.upload);
 }
 
 void Engine::unload()
 {
+    state_->seen.reset();
     state_->scene.reset();
 }
 
@@ -201,20 +203,24 @@ FrameResult Engine::render(const FrameRequest& request)
     set_frame_constants(request);
 
     graph::Graph g;
-    const FrameContext context{request.settings, *s.scene, request.size, order_lights(request.lights)};
+    if (request.remember && !s.seen) s.seen.emplace(s.device, s.scene->tasks());
+    const FrameContext context{request.settings, *s.scene, request.size, request.remember ? &*s.seen : nullptr,
+                               order_lights(request.lights)};
     const Frame frame = build_frame(g, *s.renderer, context, request.aovs, request.lights);
 
     s.readbacks.begin();
     const gpu::Buffer* picture = nullptr;
     const gpu::Buffer* hdr = nullptr;
-    const gpu::Buffer* commands = nullptr;
+    std::vector<const gpu::Buffer*> commands;
     std::vector<const gpu::Buffer*> aovs;
     if (request.want_picture) picture = &read_back(g, s.readbacks, frame.picture, "picture");
     if (request.want_hdr) hdr = &read_back(g, s.readbacks, frame.hdr, "hdr");
     for (std::size_t i = 0; i < frame.aovs.size(); ++i) {
         aovs.push_back(&read_back(g, s.readbacks, frame.aovs[i], fmt::format("aov.{}", i)));
     }
-    if (request.want_statistics && frame.draws.count > 0) commands = &read_back(g, s.readbacks, frame.draws);
+    if (request.want_statistics && s.scene->tasks().count > 0) {
+        for (const DrawList& draws : frame.draws) commands.push_back(&read_back(g, s.readbacks, draws));
+    }
 
     FrameResult result;
     const double built_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -231,7 +237,7 @@ FrameResult Engine::render(const FrameRequest& request)
     for (std::size_t i = 0; i < aovs.size(); ++i) {
         result.aovs.push_back(to_image(bytes_in(*aovs[i]), g.desc(frame.aovs[i]), request.aovs[i].info->channels, 1));
     }
-    if (commands) count_draws(bytes_in(*commands), *s.scene, result);
+    for (const gpu::Buffer* list : commands) count_draws(bytes_in(*list), *s.scene, result);
     return result;
 }
 

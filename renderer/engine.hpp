@@ -41,6 +41,9 @@ struct FrameRequest {
     std::vector<Aov> aovs;
     bool want_picture = true, want_hdr = false;
     bool want_statistics = false; ///< triangles and material changes, read back from the device
+    /// Begin with what the frame before saw: faster while cameras move little. Where surfaces lie at the same depth, it
+    /// can then depend on the frame before which of them is seen.
+    bool remember = false;
     gpu::TimerMode timers = gpu::TimerMode::overlapped;
 };
 

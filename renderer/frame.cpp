@@ -11,7 +11,7 @@ public:
     {
         const Settings& s = frame.settings;
         const auto [gbuffer, draws, occluders] =
-            add_culled_gbuffer(g, frame.scene.tasks(), frame.scene.geometry(), frame.size, s.culling);
+            add_culled_gbuffer(g, frame.scene.tasks(), frame.scene.geometry(), frame.size, s.culling, frame.seen);
         LightingTerms all;
         all.end_delta = frame.lights.delta_count;
         all.end_light = static_cast<std::uint32_t>(frame.lights.places.size());

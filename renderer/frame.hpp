@@ -16,6 +16,7 @@ struct FrameContext {
     const Settings& settings;
     const GpuScene& scene;
     uvec2 size{0};
+    SeenTriangles* seen = nullptr; ///< of the frame before; null: frames know nothing of each other
     LightOrder lights;
 };
 
@@ -39,7 +40,7 @@ public:
 struct Frame {
     graph::Tex picture;           ///< RGBA8, sRGB-encoded
     graph::Tex hdr;               ///< RGBA16F, radiance x exposure
-    DrawList draws;               ///< into the G-buffer
+    std::vector<DrawList> draws;  ///< into the G-buffer, one after the other
     std::vector<graph::Tex> aovs; ///< as asked, in order
 };
 

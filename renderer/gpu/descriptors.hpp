@@ -30,7 +30,7 @@ struct PassImage {
 class Descriptors {
 public:
     static constexpr std::uint32_t texture_capacity = 8192; ///< devices with descriptor indexing guarantee 500,000
-    static constexpr std::uint32_t max_pass_images = 12, max_pass_buffers = 4, max_passes = 512;
+    static constexpr std::uint32_t max_pass_images = 12, max_pass_buffers = 7, max_passes = 512;
     static constexpr std::uint32_t push_bytes = 128; ///< what every device has
 
     explicit Descriptors(const Device& device);

@@ -60,6 +60,15 @@ struct OcclusionPush {
     PyramidLevel levels[pyramid_levels];
 };
 
+/// Frames count from 2: in a table filled with zeros no triangle was drawn by the frame before.
+const uint first_remembered_frame = 2;
+const uint frames_until_asked_again = 4; // whether a triangle that is drawn can still be seen
+
+struct SeenPush {
+    OcclusionPush occlusion;
+    uint frame;
+};
+
 SHARED_END
 #ifdef __cplusplus
 static_assert(sizeof(atrium::shared::DrawCommand) == 20);

@@ -21,13 +21,6 @@ void set_culling(rig::FrameRig& rig, bool on)
     for (const char* kind : kinds) rig.set(kind, on ? "on" : "off");
 }
 
-/// Draws what a still camera sees after the frame that occlusion culling learns from.
-std::uint64_t triangles_of_second_frame(const rig::FrameRig& rig)
-{
-    static_cast<void>(rig.render());
-    return rig.render().triangles;
-}
-
 /// Cameras that jump, each followed by one that stepped aside: what was seen before is wrong at once, then nearly
 /// right.
 void expect_no_pixel_changed(rig::FrameRig& rig, int cameras)
@@ -78,11 +71,11 @@ TEST(culling, each_kind_leaves_out_more)
     rig.request.want_statistics = true;
     rig.look({-8, 1.7f, -5}, {8, 2.5f, 2}, 40); // out of an aisle, between columns
     set_culling(rig, false);
-    std::uint64_t drawn = triangles_of_second_frame(rig);
+    std::uint64_t drawn = rig.render().triangles;
     EXPECT_EQ(drawn, rig.bake().scene().index_count / 3);
     for (const char* kind : kinds) {
         rig.set(kind, "on");
-        const std::uint64_t fewer = triangles_of_second_frame(rig);
+        const std::uint64_t fewer = rig.render().triangles;
         EXPECT_LT(fewer, drawn) << kind;
         drawn = fewer;
     }
@@ -101,12 +94,76 @@ TEST(culling, a_wall_hides_what_stands_behind_it)
     for (const char* triangles : {"off", "on"}) {
         rig.set("culling.triangles", triangles);
         rig.set("culling.occlusion", "off");
-        EXPECT_GT(triangles_of_second_frame(rig), 500u);
+        EXPECT_GT(rig.render().triangles, 500u);
         rig.set("culling.occlusion", "on");
-        EXPECT_EQ(triangles_of_second_frame(rig), 2u); // the wall's
+        EXPECT_EQ(rig.render().triangles, 2u); // the wall's
     }
     rig.look({0, 4, -3}, {0, 0, -3.1f}); // a cut to behind the wall
     EXPECT_GT(rig.render().triangles, 500u);
+}
+
+/// Walks with cuts, each frame with what the one before saw; at times with other kinds of culling in between.
+void expect_memory_hides_nothing(rig::FrameRig& rig, int frames)
+{
+    const Bounds& b = rig.bake().scene().bounds;
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> unit(0, 1);
+    const auto point = [&] { return b.min + b.extent() * vec3(unit(random), unit(random), unit(random)); };
+    vec3 eye(0), target(0);
+    std::size_t pixels = 0, others = 0;
+    for (int i = 0; i < frames; ++i) {
+        if (i % 8 == 0) {
+            eye = point();
+            target = point();
+        } else {
+            eye += 0.01f * (point() - b.centre());
+        }
+        rig.look(eye, target, 70);
+        rig.set("culling.occlusion", i % 16 == 5 ? "off" : "on");
+        rig.set("culling.triangles", i % 16 == 12 ? "off" : "on");
+        rig.request.remember = false;
+        const std::vector<ImageF> fresh = rig.aovs({"depth", "mesh"});
+        rig.request.remember = true;
+        const std::vector<ImageF> remembered = rig.aovs({"depth", "mesh"});
+        ASSERT_EQ(remembered[0].values, fresh[0].values) << "frame " << i;
+        for (std::size_t p = 0; p < fresh[1].values.size(); ++p) {
+            ++pixels;
+            others += fresh[1].values[p] != remembered[1].values[p] ? 1 : 0;
+        }
+    }
+    EXPECT_LE(others, pixels / 1000); // surfaces at the same depth
+}
+
+TEST(culling, memory_hides_nothing)
+{
+    rig::FrameRig rig(rig::courtyard_bake());
+    rig.request.size = {97, 55};
+    expect_memory_hides_nothing(rig, 160);
+}
+
+TEST(culling, memory_hides_nothing_of_sponza)
+{
+    const auto bake = rig::sponza_bake();
+    if (!bake) GTEST_SKIP() << "ATRIUM_SCENES names no folder of real scenes";
+    rig::FrameRig rig(*bake);
+    rig.request.size = {97, 55};
+    expect_memory_hides_nothing(rig, 64);
+}
+
+TEST(culling, a_still_camera_remembers_the_same_picture_and_draws_less)
+{
+    rig::FrameRig rig(rig::courtyard_bake());
+    set_culling(rig, true);
+    rig.request.want_picture = rig.request.want_statistics = true;
+    rig.look({-8, 1.7f, -5}, {8, 2.5f, 2}, 40);
+    const FrameResult fresh = rig.render();
+    rig.request.remember = true;
+    for (int frame = 0; frame < 8; ++frame) EXPECT_EQ(rig.render().picture.values, fresh.picture.values);
+    EXPECT_LT(rig.render().triangles, 0.9 * static_cast<double>(fresh.triangles));
+    rig.set("culling.triangles", "off"); // forgets nothing that it must know
+    EXPECT_EQ(rig.render().picture.values, fresh.picture.values);
+    rig.set("culling.triangles", "on");
+    EXPECT_EQ(rig.render().picture.values, fresh.picture.values);
 }
 
 TEST(culling, more_clusters_than_a_dispatch_has_groups)

@@ -35,19 +35,23 @@ graph::Tex add_overdraw(graph::Graph& g, const AovInputs& in)
     pipeline.blend = gpu::Blend::add;
     const bool prepass = static_cast<bool>(in.occluders.commands);
     if (prepass) add_depth_prepass(g, in.occluders, in.geometry, depth, "aov.overdraw.prepass");
-    graph::PassBuilder pass = g.raster("aov.overdraw");
-    reads(pass, in.draws)
-        .writes(count, Load::clear)
-        .depth(depth, prepass ? Load::keep : Load::clear, 0.0f)
-        .pipeline(pipeline)
-        .record([in](Cmd& cmd) {
-            cmd.bind();
-            bind_geometry(cmd, in.geometry, in.draws);
-            for (const DrawRange& range : in.draws.ranges) {
-                cmd.cull(range.two_sided ? graph::CullMode::none : graph::CullMode::back);
-                cmd.draw_indexed_indirect(in.draws.commands, range.first, range.count);
-            }
-        });
+    bool first = true;
+    for (const DrawList& draws : in.draws) {
+        graph::PassBuilder pass = g.raster("aov.overdraw");
+        reads(pass, draws)
+            .writes(count, first ? Load::clear : Load::keep)
+            .depth(depth, first && !prepass ? Load::clear : Load::keep, 0.0f)
+            .pipeline(pipeline)
+            .record([draws, geometry = in.geometry](Cmd& cmd) {
+                cmd.bind();
+                bind_geometry(cmd, geometry, draws);
+                for (const DrawRange& range : draws.ranges) {
+                    cmd.cull(range.two_sided ? graph::CullMode::none : graph::CullMode::back);
+                    cmd.draw_indexed_indirect(draws.commands, range.first, range.count);
+                }
+            });
+        first = false;
+    }
     return count;
 }
 

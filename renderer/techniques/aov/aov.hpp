@@ -64,7 +64,8 @@ struct Aov {
 struct AovInputs {
     GBuffer gbuffer;
     graph::Tex hdr;
-    DrawList draws, occluders;
+    std::vector<DrawList> draws; ///< one after the other
+    DrawList occluders;
     Geometry geometry;
     LightOrder lights;
 };

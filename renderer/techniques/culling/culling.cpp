@@ -10,14 +10,15 @@
 #include <cmath>
 
 namespace atrium {
-namespace {
-
-using Levels = std::array<shared::PyramidLevel, shared::pyramid_levels>;
 
 bool culls_triangles(const DrawTasks& tasks, const CullingSettings& s)
 {
     return s.triangles && tasks.subgroup_size > 0 && tasks.count > 0;
 }
+
+namespace {
+
+using Levels = std::array<shared::PyramidLevel, shared::pyramid_levels>;
 
 shared::CullPush push_of(const DrawTasks& tasks, const CullingSettings& s)
 {
@@ -83,21 +84,53 @@ graph::Buf add_depth_pyramid(graph::Graph& g, graph::Tex depth, const Levels& le
     return pyramid;
 }
 
-/// Thins out what `list` draws, which becomes a copy of the indices that are kept.
-void add_triangle_culling(graph::Graph& g, const DrawTasks& tasks, DrawList& list, const std::string& name,
-                          const char* shader, graph::Buf pyramid, const shared::OcclusionPush& push)
+/// Thins out what `list` draws, which becomes a copy of the indices that are kept. Without a pyramid nothing is hidden.
+template <class Push>
+void add_triangle_culling(graph::Graph& g, const DrawTasks& tasks, DrawList& list, const char* shader,
+                          graph::Buf pyramid, const SeenInFrame* seen, const Push& push)
 {
     const float snap = std::exp2(-static_cast<float>(tasks.subpixel_bits)) + 1.0f / 512; // and its viewport's rounding
-    list.indices = g.buffer(name + ".indices", tasks.index_count * sizeof(std::uint32_t));
-    graph::PassBuilder pass = g.compute(name);
+    list.indices = g.buffer("cull.triangles.indices", tasks.index_count * sizeof(std::uint32_t));
+    graph::PassBuilder pass = g.compute("cull.triangles");
     pass.updates(list.commands).writes(list.indices);
     if (pyramid) pass.reads(pyramid);
+    if (seen) pass.writes(seen->commands).writes(seen->occluder_commands).writes(seen->indices).updates(seen->frames);
     pass.pipeline(gpu::ComputePipelineDesc{shader, {tasks.subgroup_size, std::bit_cast<std::uint32_t>(snap)}})
-        .record([=](graph::Cmd& cmd) {
+        .record([count = tasks.count, push](graph::Cmd& cmd) {
             cmd.bind();
             cmd.push(push);
-            cmd.dispatch(tasks.count, 1);
+            cmd.dispatch(count, 1);
         });
+}
+
+/// Passes `depth_pyramid.N`, where there is `depth`, `cull` and `cull.triangles`.
+DrawList add_culling_passes(graph::Graph& g, const DrawTasks& tasks, const CullingSettings& s, graph::Tex depth,
+                            const SeenInFrame* seen)
+{
+    DrawList list{create_commands(g, "draw_commands", tasks), tasks.ranges, tasks.count, {}};
+    shared::OcclusionPush push{push_of(tasks, s), {}};
+    graph::Buf pyramid;
+    if (depth) {
+        const Levels levels = levels_over({g.desc(depth).width, g.desc(depth).height});
+        std::copy(levels.begin(), levels.end(), push.levels);
+        pyramid = add_depth_pyramid(g, depth, levels);
+    }
+    graph::PassBuilder pass = g.compute("cull");
+    pass.writes(list.commands);
+    if (pyramid) pass.reads(pyramid);
+    dispatch_per_task(pass, pyramid ? "techniques/culling/cull_visible.comp" : "techniques/culling/cull.comp",
+                      tasks.count, push);
+    if (!culls_triangles(tasks, s)) return list;
+    if (seen) {
+        add_triangle_culling(g, tasks, list, "techniques/culling/cull_triangles_seen.comp", pyramid, seen,
+                             shared::SeenPush{push, seen->frame});
+    } else {
+        add_triangle_culling(g, tasks, list,
+                             pyramid ? "techniques/culling/cull_triangles_visible.comp"
+                                     : "techniques/culling/cull_triangles.comp",
+                             pyramid, nullptr, push);
+    }
+    return list;
 }
 
 } // namespace
@@ -113,26 +146,13 @@ DrawList add_occluders(graph::Graph& g, const DrawTasks& tasks, const CullingSet
 
 DrawList add_culling(graph::Graph& g, const DrawTasks& tasks, const CullingSettings& s, graph::Tex occluders)
 {
-    DrawList list{create_commands(g, "draw_commands", tasks), tasks.ranges, tasks.count, {}};
-    shared::OcclusionPush push{push_of(tasks, s), {}};
-    graph::Buf pyramid;
-    if (occluders) {
-        const Levels levels = levels_over({g.desc(occluders).width, g.desc(occluders).height});
-        std::copy(levels.begin(), levels.end(), push.levels);
-        pyramid = add_depth_pyramid(g, occluders, levels);
-    }
-    graph::PassBuilder pass = g.compute("cull");
-    pass.writes(list.commands);
-    if (pyramid) pass.reads(pyramid);
-    dispatch_per_task(pass, pyramid ? "techniques/culling/cull_visible.comp" : "techniques/culling/cull.comp",
-                      tasks.count, push);
-    if (culls_triangles(tasks, s)) {
-        add_triangle_culling(g, tasks, list, "cull.triangles",
-                             pyramid ? "techniques/culling/cull_triangles_visible.comp"
-                                     : "techniques/culling/cull_triangles.comp",
-                             pyramid, push);
-    }
-    return list;
+    return add_culling_passes(g, tasks, s, occluders, nullptr);
+}
+
+DrawList add_culling(graph::Graph& g, const DrawTasks& tasks, const CullingSettings& s, graph::Tex depth,
+                     const SeenInFrame& seen)
+{
+    return add_culling_passes(g, tasks, s, depth, &seen);
 }
 
 } // namespace atrium

@@ -52,12 +52,28 @@ struct DrawList {
     graph::Buf indices; ///< instead of the scene's own, where triangles were culled
 };
 
+/// SeenTriangles in the graph of one frame.
+struct SeenInFrame {
+    DrawList before, occluders;   ///< what the frame before saw, and what of it hides much
+    graph::Buf commands, occluder_commands, indices; ///< of what this one sees, to be filled
+    graph::Buf frames;           ///< of each triangle, the number of the frame that last saw it
+    std::uint32_t frame = 0;     ///< this one's number
+};
+
 /// Reads  the scene's tables; with `occluders`, their depth (D32, reversed).  One draw command per task; culled ones
 /// draw no instance. Passes `cull`, with single triangles `cull.triangles`, with occluders `depth_pyramid.N`. Source:
 /// Haar & Aaltonen 2015, "GPU-Driven Rendering Pipelines"; cone rule: meshoptimizer; triangles: Wihlidal 2016,
 /// "Optimizing the Graphics Pipeline with Compute"; pyramid: Greene et al. 1993, "Hierarchical Z-Buffer Visibility".
 [[nodiscard]] DrawList add_culling(graph::Graph& g, const DrawTasks& tasks, const CullingSettings& s,
                                    graph::Tex occluders = {});
+
+/// Reads  the scene's tables, depth (D32, reversed) of what the frame before saw.  Fills  `seen`.  What can be seen and
+/// was not drawn from seen.before: passes as above, and culls_triangles() must hold.
+[[nodiscard]] DrawList add_culling(graph::Graph& g, const DrawTasks& tasks, const CullingSettings& s, graph::Tex depth,
+                                   const SeenInFrame& seen);
+
+/// Whether single triangles are culled: asked for, and the device and the scene allow it.
+[[nodiscard]] bool culls_triangles(const DrawTasks& tasks, const CullingSettings& s);
 
 /// Reads  the scene's tables.  The tasks whose depth is worth drawing before everything else: in the view, without
 /// holes, and with triangles large enough to hide much. Pass `cull.occluders`.

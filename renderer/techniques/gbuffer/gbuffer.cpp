@@ -99,8 +99,12 @@ void add_depth_prepass(graph::Graph& g, const DrawList& draws, const Geometry& g
 
 namespace {
 
-/// `depth`: keep where a prepass has drawn some of it.
-void add_pass(graph::Graph& g, const DrawList& draws, const Geometry& geometry, const GBuffer& gb, Load depth,
+/// `loads`: keep where there is something in the targets, or in the depth alone, already.
+struct Loads {
+    Load colors = Load::discard, depth = Load::clear;
+};
+
+void add_pass(graph::Graph& g, const DrawList& draws, const Geometry& geometry, const GBuffer& gb, const Loads& loads,
               const std::string& name)
 {
     gpu::GraphicsPipelineDesc state;
@@ -112,12 +116,12 @@ void add_pass(graph::Graph& g, const DrawList& draws, const Geometry& geometry, 
     // Only id and depth are cleared: a background id says that the other targets hold nothing.
     graph::PassBuilder pass = g.raster(name);
     reads(pass, draws)
-        .writes(gb.albedo)
-        .writes(gb.normal)
-        .writes(gb.id, Load::clear)
-        .writes(gb.emission)
-        .writes(gb.motion)
-        .depth(gb.depth, depth, 0.0f);
+        .writes(gb.albedo, loads.colors)
+        .writes(gb.normal, loads.colors)
+        .writes(gb.id, loads.colors == Load::keep ? Load::keep : Load::clear)
+        .writes(gb.emission, loads.colors)
+        .writes(gb.motion, loads.colors)
+        .depth(gb.depth, loads.depth, 0.0f);
     scene_pipelines(pass, draws.ranges, "techniques/gbuffer/gbuffer", state);
     pass.record([=](graph::Cmd& cmd) {
         bind_geometry(cmd, geometry, draws);
@@ -133,23 +137,31 @@ GBuffer add_gbuffer(graph::Graph& g, const DrawList& draws, const Geometry& geom
                     const std::string& pass_name)
 {
     const GBuffer gb = create_targets(g, size);
-    add_pass(g, draws, geometry, gb, Load::clear, pass_name);
+    add_pass(g, draws, geometry, gb, {}, pass_name);
     return gb;
 }
 
 CulledGBuffer add_culled_gbuffer(graph::Graph& g, const DrawTasks& tasks, const Geometry& geometry, uvec2 size,
-                                 const CullingSettings& s)
+                                 const CullingSettings& s, SeenTriangles* seen)
 {
     if (!s.occlusion) {
         const DrawList draws = add_culling(g, tasks, s);
-        return {add_gbuffer(g, draws, geometry, size), draws, {}};
+        return {add_gbuffer(g, draws, geometry, size), {draws}, {}};
+    }
+    const GBuffer gb = create_targets(g, size);
+    if (seen && culls_triangles(tasks, s)) {
+        const SeenInFrame frame = seen->begin(g, tasks);
+        add_depth_prepass(g, frame.occluders, geometry, gb.depth);
+        add_pass(g, frame.before, geometry, gb, {Load::discard, Load::keep}, "gbuffer");
+        const DrawList late = add_culling(g, tasks, s, gb.depth, frame);
+        add_pass(g, late, geometry, gb, {Load::keep, Load::keep}, "gbuffer.late");
+        return {gb, {frame.before, late}, frame.occluders};
     }
     const DrawList occluders = add_occluders(g, tasks, s);
-    const GBuffer gb = create_targets(g, size);
     add_depth_prepass(g, occluders, geometry, gb.depth);
     const DrawList draws = add_culling(g, tasks, s, gb.depth);
-    add_pass(g, draws, geometry, gb, Load::keep, "gbuffer");
-    return {gb, draws, occluders};
+    add_pass(g, draws, geometry, gb, {Load::discard, Load::keep}, "gbuffer");
+    return {gb, {draws}, occluders};
 }
 
 } // namespace atrium

@@ -4,6 +4,9 @@
 #include "renderer/core/setting.hpp"
 #include "renderer/graph/graph.hpp"
 #include "renderer/techniques/culling/culling.hpp"
+#include "renderer/techniques/culling/seen_triangles.hpp"
+
+#include <vector>
 
 namespace atrium {
 
@@ -56,15 +59,18 @@ void scene_pipelines(graph::PassBuilder& pass, std::span<const DrawRange> ranges
 void add_depth_prepass(graph::Graph& g, const DrawList& draws, const Geometry& geometry, graph::Tex depth,
                        const std::string& pass_name = "depth_prepass");
 
-/// A G-buffer, what was drawn into it, and of what the depth was drawn before (without commands: of nothing).
+/// A G-buffer, what was drawn into it one after the other, and of what the depth was drawn before (without commands: of
+/// nothing).
 struct CulledGBuffer {
     GBuffer gbuffer;
-    DrawList draws, occluders;
+    std::vector<DrawList> draws;
+    DrawList occluders;
 };
 
 /// Culls and draws: passes `cull` and `gbuffer`; with occlusion culling before them `cull.occluders`, `depth_prepass`
-/// and `depth_pyramid.N`; with single triangles `cull.triangles`.
+/// and `depth_pyramid.N`; with single triangles `cull.triangles`. With `seen`, where occlusion and single triangles are
+/// culled: `gbuffer` draws what the frame before saw, then it is culled as above, and `gbuffer.late` draws the rest.
 [[nodiscard]] CulledGBuffer add_culled_gbuffer(graph::Graph& g, const DrawTasks& tasks, const Geometry& geometry,
-                                               uvec2 size, const CullingSettings& s);
+                                               uvec2 size, const CullingSettings& s, SeenTriangles* seen = nullptr);
 
 } // namespace atrium

@@ -11,8 +11,5 @@ void main()
     if (i >= push.count) return;
     DrawTask task = task_table[order_table[i]];
     ClusterSphere s = sphere_of(task);
-    float triangles = float(cluster_table[task.cluster].index_count) / 3.0;
-    bool large = s.radius * s.radius > occluder_angle2 * triangles * dot(s.d, s.d);
-    bool closed = (record_table[task.record].flags & record_has_holes) == 0u;
-    write_command(i, task, large && closed && may_be_seen(task, s, push.flags) ? 1u : 0u);
+    write_command(i, task, is_occluder(task, s) && may_be_seen(task, s, push.flags) ? 1u : 0u);
 }

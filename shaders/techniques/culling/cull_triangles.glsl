@@ -1,10 +1,15 @@
 // One subgroup per draw command: copies the indices of those of its triangles that are to be drawn, in their order, and
 // makes the command draw the copy. Which ones, the including shader says in keep_triangle().
+// With REMEMBERS, those are for the next frame to begin with, and a second list holds those of them that this frame has
+// not drawn yet.
 // Source: Wihlidal 2016, "Optimizing the Graphics Pipeline with Compute", GDC.
 #extension GL_KHR_shader_subgroup_ballot : require
 #include "lib/pass.glsl"
 #include "lib/scene.glsl"
 #include "shared/culling.h"
+#ifdef REMEMBERS
+#include "techniques/culling/cluster_sphere.glsl"
+#endif
 
 layout(local_size_x_id = 0) in; // a subgroup
 layout(set = 1, binding = 4, scalar) readonly buffer TaskTable { DrawTask task_table[]; };
@@ -13,6 +18,12 @@ layout(set = 1, binding = 6, scalar) readonly buffer VertexTable { PackedVertex 
 layout(set = 1, binding = 7, scalar) readonly buffer IndexTable { uint index_table[]; };
 layout(PASS_BUFFER(0), scalar) buffer Commands { DrawCommand commands[]; };
 layout(PASS_BUFFER(1), scalar) writeonly buffer Kept { uint kept_indices[]; };
+#ifdef REMEMBERS
+layout(PASS_BUFFER(3), scalar) writeonly buffer SeenCommands { DrawCommand seen_commands[]; };
+layout(PASS_BUFFER(4), scalar) writeonly buffer SeenOccluders { DrawCommand seen_occluder_commands[]; };
+layout(PASS_BUFFER(5), scalar) writeonly buffer Seen { uint seen_indices[]; };
+layout(PASS_BUFFER(6), scalar) buffer SeenIn { uint seen_in[]; }; // frame in which a triangle was last seen
+#endif
 
 // How far rasterisation may move a position, pixels: what comes nearer than that to covering a pixel's centre is kept.
 layout(constant_id = 1) const float snap = 1.0 / 16.0;
@@ -78,33 +89,78 @@ ScreenTriangle on_screen(vec3 a, vec3 b, vec3 c, bool one_sided)
     return t;
 }
 
+/// Where this invocation's triangle goes in a list that has `count` indices so far.
+uint place_in(uint slot, uint count, uvec4 ballot)
+{
+    return slot + count + 3u * subgroupBallotExclusiveBitCount(ballot);
+}
+
+DrawCommand command_of(DrawTask task, uint index_count)
+{
+    return DrawCommand(index_count, index_count > 0u ? 1u : 0u, task.slot, record_table[task.record].vertex_offset,
+                       task.record);
+}
+
+#ifdef REMEMBERS
+void remember(uint i, DrawTask task, uint index_count)
+{
+    seen_commands[i] = command_of(task, index_count);
+    seen_occluder_commands[i] = command_of(task, is_occluder(task, sphere_of(task)) ? index_count : 0u);
+}
+#endif
+
 void main()
 {
     uint i = gl_WorkGroupID.x;
-    uint instances = commands[i].instance_count;
-    if (gl_SubgroupID > 0u || instances == 0u) return;
+    if (gl_SubgroupID > 0u) return;
     DrawTask task = task_table[order_table[i]];
+    uint instances = commands[i].instance_count;
+    if (instances == 0u) {
+#ifdef REMEMBERS
+        if (subgroupElect()) remember(i, task, 0u);
+#endif
+        return;
+    }
     GpuCluster cluster = cluster_table[task.cluster];
     vec4 rows[3] = record_table[task.record].world_rows;
     uint vertex_offset = uint(record_table[task.record].vertex_offset);
     bool one_sided = (record_table[task.record].flags & record_two_sided) == 0u;
 
-    uint kept = 0u;
+    uint kept = 0u, seen = 0u;
     for (uint first = 0u; first < cluster.index_count; first += 3u * gl_SubgroupSize) {
         uint index = first + 3u * gl_SubgroupInvocationID;
         bool keep = false;
         uvec3 corners = uvec3(0u);
+        bool drawn = false;
         if (index < cluster.index_count) {
             uint at = cluster.first_index + index;
             corners = uvec3(index_table[at], index_table[at + 1u], index_table[at + 2u]);
+#ifdef REMEMBERS
+            drawn = seen_in[(task.slot + index) / 3u] + 1u == push.frame;
+            keep = drawn && (i + push.frame) % frames_until_asked_again != 0u;
+#endif
+        }
+        if (index < cluster.index_count && !keep) {
             ScreenTriangle t = on_screen(clip_position(rows, vertex_offset + corners.x),
                                          clip_position(rows, vertex_offset + corners.y),
                                          clip_position(rows, vertex_offset + corners.z), one_sided);
             keep = keep_triangle(instances, t);
         }
+#ifdef REMEMBERS
+        uvec4 see = subgroupBallot(keep);
+        if (keep) {
+            uint to = place_in(task.slot, seen, see), triangle = (task.slot + index) / 3u;
+            seen_indices[to] = corners.x;
+            seen_indices[to + 1u] = corners.y;
+            seen_indices[to + 2u] = corners.z;
+            keep = !drawn;
+            seen_in[triangle] = push.frame;
+        }
+        seen += 3u * subgroupBallotBitCount(see);
+#endif
         uvec4 ballot = subgroupBallot(keep);
         if (keep) {
-            uint to = task.slot + kept + 3u * subgroupBallotExclusiveBitCount(ballot);
+            uint to = place_in(task.slot, kept, ballot);
             kept_indices[to] = corners.x;
             kept_indices[to + 1u] = corners.y;
             kept_indices[to + 2u] = corners.z;
@@ -112,8 +168,9 @@ void main()
         kept += 3u * subgroupBallotBitCount(ballot);
     }
     if (subgroupElect()) {
-        commands[i].first_index = task.slot;
-        commands[i].index_count = kept;
-        commands[i].instance_count = kept > 0u ? 1u : 0u;
+        commands[i] = command_of(task, kept);
+#ifdef REMEMBERS
+        remember(i, task, seen);
+#endif
     }
 }

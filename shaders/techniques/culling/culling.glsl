@@ -2,24 +2,12 @@
 #include "lib/pass.glsl"
 #include "lib/scene.glsl"
 #include "shared/culling.h"
+#include "techniques/culling/cluster_sphere.glsl"
 
 layout(local_size_x = cull_group_size) in;
 layout(set = 1, binding = 4, scalar) readonly buffer TaskTable { DrawTask task_table[]; };
 layout(set = 1, binding = 5, scalar) readonly buffer OrderTable { uint order_table[]; };
 layout(PASS_BUFFER(0), scalar) writeonly buffer Commands { DrawCommand commands[]; };
-
-/// A cluster's bounding sphere, from the eye, world axes.
-struct ClusterSphere {
-    vec3 d;
-    float radius;
-};
-
-ClusterSphere sphere_of(DrawTask task)
-{
-    GpuCluster cluster = cluster_table[task.cluster];
-    return ClusterSphere(transform_point(record_table[task.record].world_rows, cluster.centre) - frame.eye,
-                         cluster.radius * record_table[task.record].max_scale);
-}
 
 /// Against the four sides and the near plane; there is no far plane.
 bool outside_frustum(ClusterSphere s)

@@ -1,0 +1,17 @@
+#version 460
+// Keeps the triangles that can be seen past the depth of those that the frame before saw: all of them for the next frame,
+// and apart those that this one has not drawn yet.
+#extension GL_GOOGLE_include_directive : require
+#define REMEMBERS
+#include "shared/culling.h"
+layout(push_constant, scalar) uniform Push { SeenPush push; };
+#include "techniques/culling/cull_triangles.glsl"
+
+#define PYRAMID_BUFFER 2
+#include "techniques/culling/depth_pyramid.glsl"
+
+bool keep_triangle(uint instances, ScreenTriangle t)
+{
+    if (!t.covers || t.crosses || instances != instances_of_partly_hidden) return t.covers;
+    return occlusion(push.occlusion.levels, t.low, t.high, t.nearest, t.nearest) != hides_all;
+}
