@@ -32,6 +32,17 @@ void add_lighting_floor(graph::Graph& g, const GBuffer& gb)
     reads(pass, gb).writes(target).always().fullscreen("techniques/bench/gbuffer_read.frag");
 }
 
+/// As many depths as ambient occlusion reads.
+void add_ao_floor(graph::Graph& g, const GBuffer& gb, int taps)
+{
+    graph::TexDesc desc = g.desc(gb.depth);
+    desc.format = gpu::Format::rg32_float;
+    const graph::Tex target = g.texture("floor.ao_taps", desc);
+    graph::PassBuilder pass = g.raster("floor.ao_taps");
+    reads(pass, gb).writes(target).always().fullscreen("techniques/bench/ao_taps.frag",
+                                                       {static_cast<std::uint32_t>(taps)});
+}
+
 /// 16 bilinear taps of an RGBA8 image at each pixel.
 void add_t16_floor(graph::Graph& g, uvec2 size)
 {
@@ -48,8 +59,10 @@ std::map<std::string, double> run_device_floors(Engine& engine, const FrameReque
     engine.set_frame_constants(request);
     graph::Graph g;
     const GpuScene& scene = engine.scene();
-    add_lighting_floor(
-        g, add_culled_gbuffer(g, scene.tasks(), scene.geometry(), request.size, request.settings.culling).gbuffer);
+    const GBuffer gb =
+        add_culled_gbuffer(g, scene.tasks(), scene.geometry(), request.size, request.settings.culling).gbuffer;
+    add_lighting_floor(g, gb);
+    if (request.settings.ao.method != AoMethod::off) add_ao_floor(g, gb, request.settings.ao.samples);
     add_gbuffer_floor(g, scene, request.size);
     add_t16_floor(g, request.size);
     std::map<std::string, double> floors;

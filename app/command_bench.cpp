@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <map>
 #include <memory>
@@ -56,9 +57,16 @@ std::string floor_of(const std::string& name)
     if (name.starts_with("floor.")) return "";
     if (name.starts_with("gbuffer") || name == "cull+gbuffer") return "floor.gbuffer";
     if (name == "lighting") return "floor.lighting";
+    if (name.starts_with("ao")) return "floor.ao_taps";
     if (name == "load") return "floor.copy";
     if (name == "parse") return "load";
     return "floor.t16";
+}
+
+bool is_floor(const std::string& pass)
+{
+    constexpr std::array floors{"floor.t16", "floor.gbuffer", "floor.lighting", "floor.ao_taps"};
+    return std::find(floors.begin(), floors.end(), pass) != floors.end();
 }
 
 /// Passes of add_culled_gbuffer().
@@ -118,7 +126,7 @@ void bench_frames(Engine& engine, FrameRequest request, bool floors, int runs, S
         into.add("cull+gbuffer", culled_gbuffer);
         if (!floors) continue;
         for (const auto& [name, ms] : run_device_floors(engine, request)) {
-            if (name == "floor.t16" || name == "floor.gbuffer" || name == "floor.lighting") into.add(name, ms);
+            if (is_floor(name)) into.add(name, ms);
         }
     }
 }

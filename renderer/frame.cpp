@@ -12,12 +12,17 @@ public:
         const Settings& s = frame.settings;
         const auto [gbuffer, draws, occluders] =
             add_culled_gbuffer(g, frame.scene.tasks(), frame.scene.geometry(), frame.size, s.culling, frame.seen);
+        const AmbientOcclusion ao = add_ao(g, gbuffer, s.ao);
         LightingTerms all;
+        all.ao = ao.result;
+        all.multi_bounce = s.ao.multi_bounce;
         all.end_delta = frame.lights.delta_count;
         all.end_light = static_cast<std::uint32_t>(frame.lights.places.size());
         const graph::Tex hdr = add_lighting(g, gbuffer, all);
         add_sky(g, gbuffer.depth, hdr);
-        return {{gbuffer, hdr, draws, occluders, frame.scene.geometry(), frame.lights}, hdr};
+        return {{gbuffer, hdr, ao.raw, ao.result, s.ao.multi_bounce, draws, occluders, frame.scene.geometry(),
+                 frame.lights},
+                hdr};
     }
 };
 

@@ -2,6 +2,7 @@
 // All settings: each technique's own struct, under the names users know.
 
 #include "renderer/core/setting.hpp"
+#include "renderer/techniques/ao/ao.hpp"
 #include "renderer/techniques/aov/aov.hpp"
 #include "renderer/techniques/culling/culling.hpp"
 #include "renderer/techniques/gbuffer/gbuffer.hpp"
@@ -59,6 +60,7 @@ struct Settings {
     MaterialSettings material;
     TextureSettings texture;
     AmbientSettings ambient;
+    AoSettings ao;
     SkySettings sky;
     ExposureSettings exposure;
     TonemapSettings tonemap;
@@ -74,6 +76,7 @@ void describe(V& v, Settings& s)
     describe(v, s.material);
     describe(v, s.texture);
     describe(v, s.ambient);
+    describe(v, s.ao);
     describe(v, s.sky);
     describe(v, s.exposure);
     describe(v, s.tonemap);

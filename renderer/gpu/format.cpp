@@ -23,6 +23,8 @@ const char* to_string(Format f)
         return "RG32_UINT";
     case Format::r32_float:
         return "R32_FLOAT";
+    case Format::rg32_float:
+        return "RG32_FLOAT";
     case Format::rg16_float:
         return "RG16_FLOAT";
     case Format::rgba16_float:
@@ -58,6 +60,7 @@ std::uint32_t bytes_per_texel(Format f)
     case Format::depth32:
         return 4;
     case Format::rg32_uint:
+    case Format::rg32_float:
     case Format::rgba16_float:
         return 8;
     case Format::rgba32_float:

@@ -16,6 +16,7 @@ enum class Format : std::uint32_t {
     r32_uint = VK_FORMAT_R32_UINT,
     rg32_uint = VK_FORMAT_R32G32_UINT,
     r32_float = VK_FORMAT_R32_SFLOAT,
+    rg32_float = VK_FORMAT_R32G32_SFLOAT,
     rg16_float = VK_FORMAT_R16G16_SFLOAT,
     rgba16_float = VK_FORMAT_R16G16B16A16_SFLOAT,
     rgba32_float = VK_FORMAT_R32G32B32A32_SFLOAT,

@@ -3,7 +3,7 @@
 #include "types.h"
 SHARED_BEGIN
 
-const uint term_ambient = 1, term_emission = 2;
+const uint term_ambient = 1, term_emission = 2, term_multi_bounce = 4;
 
 struct LightingPush {
     uint first_light; // [first, end_delta) are lights without area, [end_delta, end) rectangles

@@ -55,18 +55,26 @@ graph::Tex add_overdraw(graph::Graph& g, const AovInputs& in)
     return count;
 }
 
-graph::Tex add_unpacked(graph::Graph& g, const Aov& aov, const AovInputs& in)
+/// What the shader makes of the G-buffer and of `image`.
+graph::Tex add_unpacked(graph::Graph& g, const Aov& aov, const AovInputs& in, graph::Tex image, std::uint32_t kind)
 {
     graph::TexDesc desc = g.desc(in.gbuffer.depth);
+    const std::uint32_t scale = (desc.width + g.desc(image).width - 1) / g.desc(image).width;
     desc.format = aov.info->channels == 1 ? Format::r32_float : Format::rgba32_float;
     const graph::Tex target = g.texture(pass_name(aov), desc);
 
     graph::PassBuilder pass = g.raster(pass_name(aov));
     reads(pass, in.gbuffer)
-        .reads(in.hdr)
+        .reads(image)
         .writes(target)
-        .fullscreen("techniques/aov/aov.frag", {aov.info->kind}, shared::AovPush{aov.info->background});
+        .fullscreen("techniques/aov/aov.frag", {kind}, shared::AovPush{aov.info->background, scale});
     return target;
+}
+
+graph::Tex add_ao_image(graph::Graph& g, const Aov& aov, const AovInputs& in)
+{
+    if (!in.ao) return add_unpacked(g, aov, in, in.hdr, shared::aov_constant);
+    return add_unpacked(g, aov, in, aov.info->kind == shared::aov_ao ? in.ao : in.ao_raw, aov.info->kind);
 }
 
 } // namespace
@@ -75,6 +83,8 @@ graph::Tex add_aov(graph::Graph& g, const Aov& aov, const AovInputs& in, float e
 {
     LightingTerms alone;
     alone.emission = false;
+    alone.ao = in.ao;
+    alone.multi_bounce = in.multi_bounce;
     alone.scale = 1.0f / exposure;
     alone.format = Format::rgba32_float;
     alone.pass = alone.target = pass_name(aov);
@@ -83,6 +93,8 @@ graph::Tex add_aov(graph::Graph& g, const Aov& aov, const AovInputs& in, float e
         return add_overdraw(g, in);
     case AovSource::ambient:
         return add_lighting(g, in.gbuffer, alone);
+    case AovSource::ao:
+        return add_ao_image(g, aov, in);
     case AovSource::light:
         alone.ambient = false;
         alone.first_light = in.lights.places[aov.light];
@@ -90,7 +102,7 @@ graph::Tex add_aov(graph::Graph& g, const Aov& aov, const AovInputs& in, float e
         alone.end_delta = alone.first_light < in.lights.delta_count ? alone.end_light : alone.first_light;
         return add_lighting(g, in.gbuffer, alone);
     default:
-        return add_unpacked(g, aov, in);
+        return add_unpacked(g, aov, in, in.hdr, aov.info->kind);
     }
 }
 

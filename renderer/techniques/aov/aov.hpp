@@ -35,6 +35,7 @@ enum class AovSource : std::uint8_t {
     ambient,  ///< lighting by ambient light alone
     hdr,      ///< radiance before exposure
     overdraw, ///< a count made by a pass of its own
+    ao,       ///< an image of ambient occlusion, where it is on
     constant, ///< a technique that is off or does not exist yet: its background everywhere
 };
 
@@ -64,6 +65,8 @@ struct Aov {
 struct AovInputs {
     GBuffer gbuffer;
     graph::Tex hdr;
+    graph::Tex ao_raw, ao; ///< ambient occlusion before and after its filters; none: off
+    bool multi_bounce = false;
     std::vector<DrawList> draws; ///< one after the other
     DrawList occluders;
     Geometry geometry;

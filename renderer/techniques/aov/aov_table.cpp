@@ -42,8 +42,8 @@ constexpr std::array<AovInfo, 25> table{{
     {"cascade", true, 1, constant, aov_constant, -1, view_index, 0, 1},
     {"blocker", true, 1, constant, aov_constant, inf, view_scalar, 0, 0},
     {"penumbra", true, 1, constant, aov_constant, 0, view_scalar, 0, 1},
-    {"ao_raw", false, 1, constant, aov_constant, 1, view_scalar, 0, 1},
-    {"ao", false, 1, constant, aov_constant, 1, view_scalar, 0, 1},
+    {"ao_raw", false, 1, AovSource::ao, aov_ao_raw, 1, view_scalar, 0, 1},
+    {"ao", false, 1, AovSource::ao, aov_ao, 1, view_scalar, 0, 1},
 }};
 
 } // namespace

@@ -54,10 +54,10 @@ struct DrawList {
 
 /// SeenTriangles in the graph of one frame.
 struct SeenInFrame {
-    DrawList before, occluders;   ///< what the frame before saw, and what of it hides much
+    DrawList before, occluders;                      ///< what the frame before saw, and what of it hides much
     graph::Buf commands, occluder_commands, indices; ///< of what this one sees, to be filled
-    graph::Buf frames;           ///< of each triangle, the number of the frame that last saw it
-    std::uint32_t frame = 0;     ///< this one's number
+    graph::Buf frames;                               ///< of each triangle, the number of the frame that last saw it
+    std::uint32_t frame = 0;                         ///< this one's number
 };
 
 /// Reads  the scene's tables; with `occluders`, their depth (D32, reversed).  One draw command per task; culled ones

@@ -11,7 +11,8 @@ gpu::Buffer make_buffer(const gpu::Device& device, const char* name, std::uint64
 {
     return {device, name, std::max(words, std::uint64_t{1}) * sizeof(std::uint32_t),
             usage | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
-                VK_BUFFER_USAGE_TRANSFER_SRC_BIT, gpu::MemoryUse::device};
+                VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+            gpu::MemoryUse::device};
 }
 
 } // namespace
@@ -45,8 +46,7 @@ SeenInFrame SeenTriangles::begin(graph::Graph& g, const DrawTasks& tasks)
     out.before.ranges = tasks.ranges;
     out.before.count = tasks.count;
     out.occluders = out.before;
-    out.occluders.commands =
-        import("seen.before.occluder_commands", before.occluder_commands, Access::indirect_read);
+    out.occluders.commands = import("seen.before.occluder_commands", before.occluder_commands, Access::indirect_read);
     out.commands = import("seen.commands", now.commands, Access::indirect_read);
     out.occluder_commands = import("seen.occluder_commands", now.occluder_commands, Access::indirect_read);
     out.indices = import("seen.indices", now.indices, Access::index_read);

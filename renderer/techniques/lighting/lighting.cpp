@@ -75,12 +75,17 @@ graph::Tex add_lighting(graph::Graph& g, const GBuffer& gb, const LightingTerms&
     desc.format = terms.format;
     const graph::Tex radiance = g.texture(terms.target, desc);
 
-    const std::uint32_t flags =
-        (terms.ambient ? shared::term_ambient : 0u) | (terms.emission ? shared::term_emission : 0u);
+    const bool occluded = terms.ambient && terms.ao;
+    const std::uint32_t flags = (terms.ambient ? shared::term_ambient : 0u) |
+                                (terms.emission ? shared::term_emission : 0u) |
+                                (terms.multi_bounce ? shared::term_multi_bounce : 0u);
     graph::PassBuilder pass = g.raster(terms.pass);
+    reads(pass, gb);
+    if (occluded) pass.reads(terms.ao);
     const bool unroll = terms.first_light == 0 && terms.end_delta <= max_unrolled_lights;
-    reads(pass, gb).writes(radiance).fullscreen(
-        "techniques/lighting/lighting.frag", {unroll ? terms.end_delta : 0},
+    pass.writes(radiance).fullscreen(
+        occluded ? "techniques/lighting/lighting_ao.frag" : "techniques/lighting/lighting.frag",
+        {unroll ? terms.end_delta : 0},
         shared::LightingPush{terms.first_light, terms.end_delta, terms.end_light, flags, terms.scale});
     return radiance;
 }

@@ -9,7 +9,7 @@
 
 layout(constant_id = 0) const uint kind = aov_depth;
 layout(push_constant, scalar) uniform Push { AovPush push; };
-layout(PASS_IMAGE(6)) uniform texture2D hdr; // radiance x exposure
+layout(PASS_IMAGE(6)) uniform texture2D image; // aov_hdr: radiance x exposure; aov_ao, aov_ao_raw: ambient occlusion
 layout(location = 0) out vec4 out_value;
 
 vec4 background()
@@ -60,7 +60,9 @@ void main()
     if (kind == aov_constant) {
         out_value = vec4(push.background);
     } else if (kind == aov_hdr) {
-        out_value = vec4(texelFetch(hdr, pixel, 0).rgb / frame.exposure, 0.0);
+        out_value = vec4(texelFetch(image, pixel, 0).rgb / frame.exposure, 0.0);
+    } else if (kind == aov_ao || kind == aov_ao_raw) {
+        out_value = vec4(min(texelFetch(image, pixel / int(push.scale), 0).x, 1.0));
     } else {
         uint id = fetch_id(pixel);
         out_value = is_background(id) ? background() : value(pixel, id);

@@ -1,0 +1,60 @@
+// Deferred lighting: every light of the range, ambient light and emission at each pixel of the G-buffer.
+#include "lib/color.glsl"
+#include "lib/gbuffer.glsl"
+#include "lib/lights.glsl"
+#include "shared/lighting.h"
+
+// Lights without area that are known beforehand, from the first on: the compiler unrolls their loop, and their constants
+// have fixed places (a CPU device reads those eight times faster). 0: the numbers in the push constants.
+layout(constant_id = 0) const uint unrolled_lights = 0;
+layout(push_constant, scalar) uniform Push { LightingPush push; };
+layout(location = 0) out vec4 out_radiance;
+
+#ifdef AMBIENT_OCCLUSION
+layout(PASS_IMAGE(6)) uniform texture2D ao_image;
+
+/// What of the light from all around reaches a surface. Light that bright surfaces hand on to each other brings colour
+/// back. Source: Jimenez et al. 2016, "Practical Real-Time Strategies for Accurate Indirect Occlusion".
+vec3 ambient_reach(ivec2 pixel, vec3 albedo)
+{
+    float ao = min(texelFetch(ao_image, pixel, 0).x, 1.0);
+    if ((push.terms & term_multi_bounce) == 0u) return vec3(ao);
+    vec3 a = 2.0404 * albedo - 0.3324, b = -4.7951 * albedo + 0.6417, c = 2.7552 * albedo + 0.6903;
+    return max(vec3(ao), ((a * ao + b) * ao + c) * ao);
+}
+#else
+vec3 ambient_reach(ivec2 pixel, vec3 albedo) { return vec3(1.0); }
+#endif
+
+/// Light from all around, coloured by the hemisphere: L = albedo (1 - metallic) ambient, as far as it reaches.
+vec3 ambient_light(ivec2 pixel, Surface s)
+{
+    vec3 ambient = mix(frame.ambient_ground, frame.ambient_sky, 0.5 + 0.5 * s.normal.y);
+    vec3 albedo = s.base_color * (1.0 - s.metallic);
+    return albedo * ambient * ambient_reach(pixel, albedo);
+}
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    uint id = fetch_id(pixel);
+    out_radiance = vec4(0.0);
+    if (is_background(id)) return;
+
+    Surface s = fetch_surface(pixel, id);
+    vec3 ray = view_ray(gl_FragCoord.xy);
+    vec3 p = frame.eye + ray * view_distance(fetch_depth(pixel));
+    vec3 v = -normalize(ray);
+    Brdf b = make_brdf(s.base_color, s.metallic, s.roughness, s.specular, dot(s.normal, v));
+
+    vec3 sum = vec3(0.0);
+    if (unrolled_lights > 0u) {
+        for (uint i = 0u; i < unrolled_lights; ++i) sum += shade_delta(frame.lights[i], p, s.normal, v, b);
+    } else {
+        for (uint i = push.first_light; i < push.end_delta; ++i) sum += shade_delta(frame.lights[i], p, s.normal, v, b);
+    }
+    for (uint i = push.end_delta; i < push.end_light; ++i) sum += shade_rect(frame.lights[i], p, s.normal, v, b);
+    if ((push.terms & term_ambient) != 0u) sum += ambient_light(pixel, s);
+    if ((push.terms & term_emission) != 0u) sum += unpack_rgb9e5(texelFetch(gbuffer_emission, pixel, 0).x);
+    out_radiance = vec4(sum * push.scale, 1.0);
+}

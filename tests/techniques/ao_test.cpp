@@ -1,0 +1,255 @@
+// Ambient occlusion against closed forms and against rays.
+
+#include "tests/rig/frame_rig.hpp"
+#include "tests/truth/primary.hpp"
+#include "tests/truth/shapes.hpp"
+#include "tests/truth/visibility.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace atrium {
+namespace {
+
+using glm::dvec2;
+using glm::dvec3;
+
+/// Share of the unit disc that an endless wall at k radii takes.
+double behind_wall(double k)
+{
+    return k >= 1 ? 0 : (std::acos(k) - k * std::sqrt(1 - k * k)) / 3.14159265358979;
+}
+
+/// Share behind both of two walls at right angles.
+double behind_both(double a, double b)
+{
+    if (a * a + b * b >= 1) return 0;
+    const auto f = [b](double u) { return 0.5 * (u * std::sqrt(1 - u * u) + std::asin(u)) - b * u; };
+    return (f(std::sqrt(1 - b * b)) - f(a)) / 3.14159265358979;
+}
+
+/// What SSAO's uniform samples make of a wall at k radii.
+double ssao_beside_wall(double k)
+{
+    return k >= 1 ? 1 : 1 - (2 + k) * (1 - k) * (1 - k) / 4;
+}
+
+void set_ao(rig::FrameRig& rig, const std::string& method, float radius)
+{
+    rig.request.size = {640, 360};
+    rig.set("ao.method", method);
+    rig.set("ao.radius", std::to_string(radius));
+    rig.set("ao.falloff", "0");
+    rig.set("ao.samples", "18");
+}
+
+/// Mean AO, and what it ought to be there, over the floor's pixels around a point (x and z within `reach`).
+struct Patch {
+    double ao = 0, expected = 0;
+    int pixels = 0;
+};
+
+template <class Expected>
+Patch patch_around(const std::vector<ImageF>& position_and_ao, const dvec2& at, double reach, Expected expected)
+{
+    Patch patch;
+    const ImageF &positions = position_and_ao[0], &ao = position_and_ao[1];
+    for (int y = 0; y < ao.height; ++y) {
+        for (int x = 0; x < ao.width; ++x) {
+            const float* p = positions.at(x, y);
+            const bool background = p[0] == 0 && p[1] == 0 && p[2] == 0;
+            if (background || std::abs(p[1]) > 1e-3f || std::abs(p[0] - at.x) > reach || std::abs(p[2] - at.y) > reach)
+                continue;
+            patch.ao += *ao.at(x, y);
+            patch.expected += expected(p[0], p[2]);
+            ++patch.pixels;
+        }
+    }
+    patch.ao /= patch.pixels;
+    patch.expected /= patch.pixels;
+    return patch;
+}
+
+void expect_near(const Patch& patch, const std::string& what)
+{
+    ASSERT_GT(patch.pixels, 20) << what;
+    EXPECT_NEAR(patch.ao, patch.expected, 0.05) << what;
+}
+
+TEST(ao, a_lone_plane_is_open_at_any_angle)
+{
+    rig::FrameRig rig(truth::floor_scene());
+    for (const char* method : {"ssao", "gtao"}) {
+        set_ao(rig, method, 0.5f);
+        for (const char* half : {"off", "on"}) {
+            rig.set("ao.half_resolution", half);
+            for (const float height : {0.2f, 0.5f, 1.0f, 3.0f, 10.0f}) {
+                rig.look({0, height, 3}, {0.3f, 0, 0}, 50);
+                const ImageF ao = rig.aov("ao");
+                EXPECT_GE(*std::min_element(ao.values.begin(), ao.values.end()), 0.98f)
+                    << method << " at half size: " << half << ", from " << height;
+            }
+        }
+    }
+}
+
+TEST(ao, beside_a_wall_it_has_the_closed_form)
+{
+    rig::FrameRig rig(truth::wall_and_floor());
+    for (const float radius : {0.5f, 1.0f}) {
+        for (const vec3& eye : {vec3(3, 2.5f, 0.7f), vec3(2, 3, -2)}) {
+            rig.look(eye, {0.4f, 0, 0}, 60);
+            for (const double k : {0.1, 0.25, 0.5, 0.75, 0.9}) {
+                const dvec2 at(k * radius, 0);
+                set_ao(rig, "gtao", radius);
+                expect_near(patch_around(rig.aovs({"position", "ao"}), at, 0.04,
+                                         [&](double x, double) { return 1 - behind_wall(x / radius); }),
+                            "gtao at " + std::to_string(k));
+                set_ao(rig, "ssao", radius);
+                expect_near(patch_around(rig.aovs({"position", "ao"}), at, 0.04,
+                                         [&](double x, double) { return ssao_beside_wall(x / radius); }),
+                            "ssao at " + std::to_string(k));
+            }
+        }
+    }
+}
+
+TEST(ao, in_a_corner_it_has_the_closed_form)
+{
+    rig::FrameRig rig(truth::corner_scene());
+    rig.look({2.2f, 2.4f, 2.6f}, {0.3f, 0.1f, 0.3f}, 60);
+    set_ao(rig, "gtao", 1);
+    for (const double k : {0.1, 0.25, 0.5}) {
+        expect_near(
+            patch_around(rig.aovs({"position", "ao"}), dvec2(k), 0.04,
+                         [](double x, double z) { return 1 - behind_wall(x) - behind_wall(z) + behind_both(x, z); }),
+            "corner at " + std::to_string(k));
+    }
+}
+
+TEST(ao, beside_a_sphere_it_has_the_closed_form)
+{
+    rig::FrameRig rig(truth::sphere_on_floor(1));
+    rig.look({4, 3.5f, 4}, {0, 0.5f, 0}, 60);
+    set_ao(rig, "gtao", 50);
+    rig.set("ao.samples", "32"); // so far around, fewer pass by the sphere
+    for (const double d : {0.5, 1.0, 2.0}) {
+        const double s = d / std::sqrt(2.0);
+        expect_near(patch_around(rig.aovs({"position", "ao"}), dvec2(s, s), 0.1,
+                                 [](double x, double z) { return 1 - std::pow(1 + x * x + z * z, -1.5); }),
+                    "sphere at " + std::to_string(d));
+    }
+}
+
+double mean(const ImageF& image)
+{
+    double sum = 0;
+    for (const float value : image.values) sum += value;
+    return sum / static_cast<double>(image.values.size());
+}
+
+TEST(ao, each_setting_does_what_it_says)
+{
+    rig::FrameRig rig(rig::courtyard_bake());
+    rig.request.size = {640, 360};
+    rig.look({-8, 1.7f, 0.5f}, {8, 2.5f, 0});
+    EXPECT_EQ(mean(rig.aov("ao")), 1); // off
+    const double open = mean(rig.aov("ambient"));
+    set_ao(rig, "gtao", 0.5f);
+    const double ao = mean(rig.aov("ao")), lit = mean(rig.aov("ambient"));
+    EXPECT_LT(ao, 0.95);
+    EXPECT_LT(lit, open);
+    const auto with = [&](const char* key, const char* value, const char* aov) {
+        rig.set(key, value);
+        return mean(rig.aov(aov));
+    };
+    EXPECT_GT(with("ao.multi_bounce", "on", "ambient"), 1.001 * lit);
+    rig.set("ao.multi_bounce", "off");
+    EXPECT_GT(with("ao.thin", "4", "ao"), ao + 0.002);
+    rig.set("ao.thin", "0");
+    EXPECT_GT(with("ao.falloff", "1", "ao"), ao + 0.002);
+    rig.set("ao.falloff", "0");
+    EXPECT_LT(with("ao.power", "2", "ao"), ao - 0.002);
+    rig.set("ao.power", "1");
+    EXPECT_LT(with("ao.radius", "1", "ao"), ao - 0.002);
+    rig.set("ao.radius", "0.5");
+    rig.set("ao.blur", "off");
+    const ImageF raw = rig.aov("ao_raw"), unblurred = rig.aov("ao");
+    EXPECT_EQ(raw.values, unblurred.values);
+    rig.set("ao.blur", "on");
+    EXPECT_NE(rig.aov("ao").values, raw.values);
+}
+
+TEST(ao, touches_ambient_light_only)
+{
+    rig::FrameRig rig(rig::courtyard_bake());
+    rig.light("sun");
+    rig.look({-8, 1.7f, 0.5f}, {8, 2.5f, 0});
+    const ImageF without = rig.aov("light.0");
+    set_ao(rig, "ssao", 0.5f);
+    rig.request.size = {320, 180};
+    EXPECT_EQ(rig.aov("light.0").values, without.values);
+}
+
+/// RMSE of `ao` against rays, where silhouettes and what lies off the screen do not matter.
+double rmse(const ImageF& ao, const ImageF& truth, const truth::Mask& counts)
+{
+    double sum = 0, pixels = 0;
+    for (std::size_t i = 0; i < ao.values.size(); ++i) {
+        if (!counts.values[i]) continue;
+        const double d = ao.values[i] - truth.values[i];
+        sum += d * d;
+        ++pixels;
+    }
+    return std::sqrt(sum / pixels);
+}
+
+ImageF traced_ao(const truth::TruthScene& scene, const truth::PrimaryBuffers& seen, double radius)
+{
+    ImageF out(seen.depth.width, seen.depth.height, 1);
+    for (int y = 0; y < out.height; ++y) {
+        for (int x = 0; x < out.width; ++x) {
+            float* to = &out.values[seen.surface.index(x, y)];
+            *to = 1;
+            if (!seen.surface.at(x, y)) continue;
+            const float *p = seen.position.at(x, y), *n = seen.geometric_normal.at(x, y);
+            *to = static_cast<float>(truth::ambient_visibility(
+                scene, {dvec3(p[0], p[1], p[2]), dvec3(n[0], n[1], n[2])}, radius, {256, seen.surface.index(x, y)}));
+        }
+    }
+    return out;
+}
+
+TEST(ao, of_sponza_is_near_to_what_rays_say)
+{
+    const auto bake = rig::sponza_bake();
+    if (!bake) GTEST_SKIP() << "ATRIUM_SCENES names no folder of real scenes";
+    rig::FrameRig rig(*bake);
+    rig.request.size = {320, 180};
+    rig.set("debug.alpha_lod0", "on");
+    const truth::TruthScene scene(rig.bake());
+    for (const auto& [eye, target] : {std::pair{vec3(-11.5f, 1.7f, -0.4f), vec3(10, 3.5f, -0.4f)},
+                                      std::pair{vec3(-12.5f, 6, 4.6f), vec3(8, 5.5f, -2)}}) {
+        rig.look(eye, target, 60);
+        const truth::PrimaryBuffers seen = truth::cast_primary(scene, rig.request.camera, {320, 180}, 0.01);
+        const truth::Mask counts = truth::without(seen.surface, truth::silhouettes(seen));
+        const ImageF truth = traced_ao(scene, seen, 0.5);
+        const auto error = [&](const char* method, const char* samples, const char* half) {
+            set_ao(rig, method, 0.5f);
+            rig.request.size = {320, 180};
+            rig.set("ao.samples", samples);
+            rig.set("ao.half_resolution", half);
+            return rmse(rig.aov("ao"), truth, counts);
+        };
+        const double gtao = error("gtao", "18", "off"), ssao = error("ssao", "18", "off");
+        EXPECT_LE(gtao, 0.10);
+        EXPECT_LT(gtao, ssao);
+        EXPECT_LE(error("gtao", "18", "on"), 1.2 * gtao);
+        EXPECT_LE(error("gtao", "8", "off"), 0.10);
+    }
+}
+
+} // namespace
+} // namespace atrium
