@@ -193,6 +193,16 @@ void count_draws(std::span<const std::byte> bytes, const GpuScene& scene, FrameR
 
 FrameResult Engine::render(const FrameRequest& request)
 {
+    try {
+        return draw(request);
+    } catch (...) {
+        state_->seen.reset(); // a frame that was not drawn has filled no memory
+        throw;
+    }
+}
+
+FrameResult Engine::draw(const FrameRequest& request)
+{
     State& s = *state_;
     if (!s.scene) throw std::logic_error("render() before load()");
     const auto start = std::chrono::steady_clock::now();

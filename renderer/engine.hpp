@@ -79,6 +79,7 @@ public:
     [[nodiscard]] gpu::Descriptors& descriptors();
 
 private:
+    [[nodiscard]] FrameResult draw(const FrameRequest& request);
     struct State;
     std::unique_ptr<State> state_;
 };

@@ -1,6 +1,7 @@
 // Ambient occlusion against closed forms and against rays.
 
 #include "tests/rig/frame_rig.hpp"
+#include "tests/truth/closed_forms.hpp"
 #include "tests/truth/primary.hpp"
 #include "tests/truth/shapes.hpp"
 #include "tests/truth/visibility.hpp"
@@ -15,20 +16,6 @@ namespace {
 
 using glm::dvec2;
 using glm::dvec3;
-
-/// Share of the unit disc that an endless wall at k radii takes.
-double behind_wall(double k)
-{
-    return k >= 1 ? 0 : (std::acos(k) - k * std::sqrt(1 - k * k)) / 3.14159265358979;
-}
-
-/// Share behind both of two walls at right angles.
-double behind_both(double a, double b)
-{
-    if (a * a + b * b >= 1) return 0;
-    const auto f = [b](double u) { return 0.5 * (u * std::sqrt(1 - u * u) + std::asin(u)) - b * u; };
-    return (f(std::sqrt(1 - b * b)) - f(a)) / 3.14159265358979;
-}
 
 /// What SSAO's uniform samples make of a wall at k radii.
 double ssao_beside_wall(double k)
@@ -105,7 +92,7 @@ TEST(ao, beside_a_wall_it_has_the_closed_form)
                 const dvec2 at(k * radius, 0);
                 set_ao(rig, "gtao", radius);
                 expect_near(patch_around(rig.aovs({"position", "ao"}), at, 0.04,
-                                         [&](double x, double) { return 1 - behind_wall(x / radius); }),
+                                         [&](double x, double) { return 1 - truth::beyond_chord(x / radius); }),
                             "gtao at " + std::to_string(k));
                 set_ao(rig, "ssao", radius);
                 expect_near(patch_around(rig.aovs({"position", "ao"}), at, 0.04,
@@ -122,10 +109,12 @@ TEST(ao, in_a_corner_it_has_the_closed_form)
     rig.look({2.2f, 2.4f, 2.6f}, {0.3f, 0.1f, 0.3f}, 60);
     set_ao(rig, "gtao", 1);
     for (const double k : {0.1, 0.25, 0.5}) {
-        expect_near(
-            patch_around(rig.aovs({"position", "ao"}), dvec2(k), 0.04,
-                         [](double x, double z) { return 1 - behind_wall(x) - behind_wall(z) + behind_both(x, z); }),
-            "corner at " + std::to_string(k));
+        expect_near(patch_around(rig.aovs({"position", "ao"}), dvec2(k), 0.04,
+                                 [](double x, double z) {
+                                     return 1 - truth::beyond_chord(x) - truth::beyond_chord(z) +
+                                            truth::beyond_both(x, z);
+                                 }),
+                    "corner at " + std::to_string(k));
     }
 }
 

@@ -1,5 +1,6 @@
 // Culling leaves the picture as it is, and leaves work out.
 
+#include "renderer/core/error.hpp"
 #include "renderer/graph/runner.hpp"
 #include "tests/rig/frame_rig.hpp"
 #include "tests/truth/scene_builder.hpp"
@@ -164,6 +165,20 @@ TEST(culling, a_still_camera_remembers_the_same_picture_and_draws_less)
     EXPECT_EQ(rig.render().picture.values, fresh.picture.values);
     rig.set("culling.triangles", "on");
     EXPECT_EQ(rig.render().picture.values, fresh.picture.values);
+}
+
+TEST(culling, a_frame_that_fails_is_not_remembered)
+{
+    rig::FrameRig rig(rig::courtyard_bake());
+    set_culling(rig, true);
+    rig.look({-8, 1.7f, -5}, {8, 2.5f, 2}, 40);
+    const ImageF fresh = rig.aov("depth");
+    rig.request.remember = true;
+    rig.set("debug.view", "dpeth");
+    EXPECT_THROW(static_cast<void>(rig.render()), Error);
+    rig.set("debug.view", "");
+    EXPECT_EQ(rig.aov("depth").values, fresh.values);
+    EXPECT_EQ(rig.aov("depth").values, fresh.values);
 }
 
 TEST(culling, more_clusters_than_a_dispatch_has_groups)

@@ -1,5 +1,6 @@
 // Ambient visibility against closed forms (Nusselt: areas of the unit disc over pi).
 
+#include "tests/truth/closed_forms.hpp"
 #include "tests/truth/scene_builder.hpp"
 #include "tests/truth/visibility.hpp"
 
@@ -11,22 +12,7 @@
 namespace atrium::truth {
 namespace {
 
-constexpr double pi_d = 3.14159265358979323846;
 constexpr int samples = 4096;
-
-/// Share of the unit disc beyond a chord at distance k: what an endless wall at k radii takes.
-double segment(double k)
-{
-    return (std::acos(k) - k * std::sqrt(1 - k * k)) / pi_d;
-}
-
-/// Share of the disc beyond both of two chords at right angles.
-double overlap(double a, double b)
-{
-    if (a * a + b * b >= 1) return 0;
-    const auto f = [b](double u) { return 0.5 * (u * std::sqrt(1 - u * u) + std::asin(u)) - b * u; };
-    return (f(std::sqrt(1 - b * b)) - f(a)) / pi_d;
-}
 
 double visibility(const TruthScene& scene, const dvec3& at, double radius, std::uint64_t seed = 1)
 {
@@ -48,7 +34,7 @@ TEST(ambient, floor_beside_a_wall_matches_the_closed_form)
     const double table[][2]{{0.001, .5}, {.1, .56356}, {.25, .65748}, {.5, .80450}, {.75, .92785}, {.9, .98131}};
     for (const auto& [k, expected] : table) {
         if (k > 0.01) {
-            EXPECT_NEAR(1 - segment(k), expected, 1e-5);
+            EXPECT_NEAR(1 - beyond_chord(k), expected, 1e-5);
         }
         EXPECT_NEAR(visibility(scene, {k, 0, 0.37}, 1), expected, three_sigma(expected, samples)) << k;
         EXPECT_NEAR(visibility(scene, {2 * k, 0, 0.37}, 2), expected, three_sigma(expected, samples)) << k;
@@ -63,11 +49,11 @@ TEST(ambient, a_corner_of_three_planes_matches_the_closed_form)
     const double table[][2]{{0.001, .25}, {.1, .31674}, {.25, .42738}, {.5, .63408}};
     for (const auto& [k, expected] : table) {
         if (k > 0.01) {
-            EXPECT_NEAR(1 - 2 * segment(k) + overlap(k, k), expected, 1e-5);
+            EXPECT_NEAR(1 - 2 * beyond_chord(k) + beyond_both(k, k), expected, 1e-5);
         }
         EXPECT_NEAR(visibility(scene, {k, 0, k}, 1), expected, three_sigma(expected, samples)) << k;
     }
-    const double uneven = 1 - segment(0.2) - segment(0.6) + overlap(0.2, 0.6);
+    const double uneven = 1 - beyond_chord(0.2) - beyond_chord(0.6) + beyond_both(0.2, 0.6);
     EXPECT_NEAR(visibility(scene, {0.2, 0, 0.6}, 1), uneven, three_sigma(uneven, samples));
 }
 
@@ -101,7 +87,7 @@ TEST(ambient, more_samples_mean_less_variance)
     const TempBake bake(wall_and_floor());
     const TruthScene scene(bake.file());
     const auto variance = [&](int count) {
-        const double expected = 1 - segment(0.5);
+        const double expected = 1 - beyond_chord(0.5);
         double sum = 0;
         for (std::uint64_t seed = 0; seed < 200; ++seed) {
             const double e = ambient_visibility(scene, {{0.5, 0, 0}, {0, 1, 0}}, 1, {count, seed}) - expected;

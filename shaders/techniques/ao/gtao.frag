@@ -14,38 +14,53 @@ const float nearest_step = 1.3;  // pixels: nearer ones lie in the pixel itself
 const float least_radius = 2.0;  // pixels: nothing smaller can be seen
 const float widest = 0.6;        // of the picture's height: farther samples would leave the near ones too few
 const float longest_way = 2.0;   // radii between samples that still lie on one surface
-const vec3 nothing = vec3(0.0, 0.0, -1e6);
 
-/// From `p` to what a pixel shows; far away where it shows nothing.
-vec3 towards(ivec2 pixel, vec3 p)
+/// What the square of a distance along the view adds to that of a length.
+float thinness() { return push.thin * (2.0 + push.thin); }
+
+/// What a horizon needs to know of a point seen from `p`.
+struct Sample {
+    vec3 d;         // from p to it
+    float along_v;  // of d: along the line of sight
+    float along_n;  // and over the plane
+    float length2;
+    float measure2; // the same where distances along the view count more
+};
+
+Sample sample_at(ivec2 pixel, vec3 p, vec3 n, vec3 v)
 {
-    if (any(lessThan(pixel, ivec2(0))) || any(greaterThanEqual(pixel, ivec2(frame.size)))) return nothing;
-    float depth = fetch_depth(pixel);
-    return depth > 0.0 ? ray_of(pixel) * view_distance(depth) - p : nothing;
+    bool inside = all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, ivec2(frame.size)));
+    float depth = inside ? max(fetch_depth(pixel), 1e-9) : 1e-9; // nothing there: far away
+    vec3 d = ray_of(pixel) * view_distance(depth) - p;
+    float length2 = dot(d, d);
+    return Sample(d, dot(d, v), dot(d, n), length2, length2 + thinness() * d.z * d.z);
 }
 
 /// Cosine of the horizon that a point makes; `tangent`: that of the surface's own plane.
-float horizon_of(vec3 d, vec3 n, vec3 v, float tangent)
+float horizon(float along_v, float along_n, float length2, float tangent)
 {
-    float inverse = inversesqrt(max(dot(d, d), 1e-12));
+    float inverse = inversesqrt(max(length2, 1e-12));
     // A plane seen through pixels' centres is never quite in the slice: what does not rise over it is no horizon.
-    return dot(d, n) * inverse < 0.01 ? tangent : max(tangent, dot(d, v) * inverse);
+    return along_n * inverse < 0.01 ? tangent : max(tangent, along_v * inverse);
 }
 
-/// The same of what lies within `radius` on the way from one sample to the next: few samples would else step over it.
-float horizon_between(vec3 a, vec3 b, float radius, vec3 n, vec3 v, float tangent)
+/// The horizon of what lies within `radius` on the way from one sample to the next: few samples would else step over it.
+/// Sines and lengths of the points between follow from those of the ends.
+float horizon_between(Sample a, Sample b, float radius2, float tangent)
 {
-    vec3 d = b - a, measure = vec3(1.0, 1.0, 1.0 + push.thin); // along the view distances may count more
-    vec3 ma = measure * a, mb = measure * b, md = measure * d;
-    float dd = dot(md, md);
-    if (dd > longest_way * longest_way * radius * radius) { // from one surface to another
-        return dot(mb, mb) <= radius * radius ? horizon_of(b, n, v, tangent) : tangent;
+    float ab = dot(a.d, b.d), measure_ab = ab + thinness() * a.d.z * b.d.z;
+    float dd = a.measure2 + b.measure2 - 2.0 * measure_ab, ad = measure_ab - a.measure2;
+    if (dd > longest_way * longest_way * radius2) { // from one surface to another
+        return b.measure2 <= radius2 ? horizon(b.along_v, b.along_n, b.length2, tangent) : tangent;
     }
-    float ad = dot(ma, md), root2 = ad * ad - dd * (dot(ma, ma) - radius * radius);
+    float root2 = ad * ad - dd * (a.measure2 - radius2);
     if (root2 <= 0.0) return tangent;
-    float root = sqrt(root2), from = max((-ad - root) / dd, 0.0), to = min((-ad + root) / dd, 1.0);
+    float root = sqrt(root2), inverse = 1.0 / dd;
+    float from = max((-ad - root) * inverse, 0.0), to = min((-ad + root) * inverse, 1.0);
     if (from >= to) return tangent;
-    return max(horizon_of(a + from * d, n, v, tangent), horizon_of(a + to * d, n, v, tangent));
+    vec2 t = vec2(from, to), along_v = mix(vec2(a.along_v), vec2(b.along_v), t), along_n = mix(vec2(a.along_n), vec2(b.along_n), t);
+    vec2 length2 = a.length2 + t * (2.0 * (ab - a.length2) + t * (a.length2 + b.length2 - 2.0 * ab));
+    return max(horizon(along_v.x, along_n.x, length2.x, tangent), horizon(along_v.y, along_n.y, length2.y, tangent));
 }
 
 /// Visibility of one side of a slice, `h` its horizon, signed from the line of sight, whose cosine and sine are given.
@@ -89,14 +104,15 @@ void main()
         float tangent_ahead = ahead, tangent_behind = behind;
         // Each slice has a radius of its own: on average what stands far out counts less and less.
         float reach = push.radius * (1.0 - push.falloff * fract(turn + 0.5 * shift + float(i) * 0.75487767));
-        vec3 last_ahead = vec3(0.0), last_behind = vec3(0.0);
+        Sample last_ahead = Sample(vec3(0.0), 0.0, 0.0, 0.0, 0.0), last_behind = last_ahead;
         for (uint k = 0u; k < steps; ++k) {
             float s = (float(k) + fract(shift + float(i) * 0.61803399)) / (float(steps) - 0.5); // the last about the radius
             vec2 offset = vec2(along.x, -along.y) * max(s * s * radius, nearest_step);
             vec2 centre = vec2(pixel) + 0.5;
-            vec3 now_ahead = towards(ivec2(floor(centre + offset)), p), now_behind = towards(ivec2(floor(centre - offset)), p);
-            ahead = max(ahead, horizon_between(last_ahead, now_ahead, reach, n, v, tangent_ahead));
-            behind = max(behind, horizon_between(last_behind, now_behind, reach, n, v, tangent_behind));
+            Sample now_ahead = sample_at(ivec2(floor(centre + offset)), p, n, v);
+            Sample now_behind = sample_at(ivec2(floor(centre - offset)), p, n, v);
+            ahead = max(ahead, horizon_between(last_ahead, now_ahead, reach * reach, tangent_ahead));
+            behind = max(behind, horizon_between(last_behind, now_behind, reach * reach, tangent_behind));
             last_ahead = now_ahead;
             last_behind = now_behind;
         }
