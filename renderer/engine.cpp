@@ -213,8 +213,9 @@ FrameResult Engine::draw(const FrameRequest& request)
     set_frame_constants(request);
 
     graph::Graph g;
-    if (request.remember && !s.seen) s.seen.emplace(s.device, s.scene->tasks());
-    const FrameContext context{request.settings, *s.scene, request.size, request.remember ? &*s.seen : nullptr,
+    const bool remember = request.remember && can_remember(s.scene->tasks(), request.settings.culling);
+    if (remember && !s.seen) s.seen.emplace(s.device, s.scene->tasks());
+    const FrameContext context{request.settings, *s.scene, request.size, remember ? &*s.seen : nullptr,
                                order_lights(request.lights)};
     const Frame frame = build_frame(g, *s.renderer, context, request.aovs, request.lights);
 

@@ -22,23 +22,38 @@ void set_culling(rig::FrameRig& rig, bool on)
     for (const char* kind : kinds) rig.set(kind, on ? "on" : "off");
 }
 
+/// Points of a scene's bounds, the same each time.
+class RandomPoints {
+public:
+    RandomPoints(const rig::FrameRig& rig, unsigned seed) : bounds_(rig.bake().scene().bounds), random_(seed) {}
+    float unit() { return unit_(random_); }
+    vec3 next()
+    {
+        const float x = unit(), y = unit(), z = unit();
+        return bounds_.min + bounds_.extent() * vec3(x, y, z);
+    }
+    vec3 step() { return next() - bounds_.centre(); } ///< as far as half the scene
+
+private:
+    Bounds bounds_;
+    std::mt19937 random_;
+    std::uniform_real_distribution<float> unit_{0, 1};
+};
+
 /// Cameras that jump, each followed by one that stepped aside: what was seen before is wrong at once, then nearly
 /// right.
 void expect_no_pixel_changed(rig::FrameRig& rig, int cameras)
 {
-    const Bounds& b = rig.bake().scene().bounds;
-    std::mt19937 random(11);
-    std::uniform_real_distribution<float> unit(0, 1);
-    const auto point = [&] { return b.min + b.extent() * vec3(unit(random), unit(random), unit(random)); };
+    RandomPoints points(rig, 11);
     vec3 eye(0), target(0);
     float fov = 60;
     for (int i = 0; i < cameras; ++i) {
         if (i % 2 == 0) {
-            eye = point();
-            target = point();
-            fov = 20 + 100 * unit(random);
+            eye = points.next();
+            target = points.next();
+            fov = 20 + 100 * points.unit();
         } else {
-            eye += 0.01f * (point() - b.centre());
+            eye += 0.01f * points.step();
         }
         rig.look(eye, target, fov);
         set_culling(rig, true);
@@ -106,18 +121,15 @@ TEST(culling, a_wall_hides_what_stands_behind_it)
 /// Walks with cuts, each frame with what the one before saw; at times with other kinds of culling in between.
 void expect_memory_hides_nothing(rig::FrameRig& rig, int frames)
 {
-    const Bounds& b = rig.bake().scene().bounds;
-    std::mt19937 random(5);
-    std::uniform_real_distribution<float> unit(0, 1);
-    const auto point = [&] { return b.min + b.extent() * vec3(unit(random), unit(random), unit(random)); };
+    RandomPoints points(rig, 5);
     vec3 eye(0), target(0);
     std::size_t pixels = 0, others = 0;
     for (int i = 0; i < frames; ++i) {
         if (i % 8 == 0) {
-            eye = point();
-            target = point();
+            eye = points.next();
+            target = points.next();
         } else {
-            eye += 0.01f * (point() - b.centre());
+            eye += 0.01f * points.step();
         }
         rig.look(eye, target, 70);
         rig.set("culling.occlusion", i % 16 == 5 ? "off" : "on");

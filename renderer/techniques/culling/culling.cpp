@@ -11,14 +11,14 @@
 
 namespace atrium {
 
+namespace {
+
+using Levels = std::array<shared::PyramidLevel, shared::pyramid_levels>;
+
 bool culls_triangles(const DrawTasks& tasks, const CullingSettings& s)
 {
     return s.triangles && tasks.subgroup_size > 0 && tasks.count > 0;
 }
-
-namespace {
-
-using Levels = std::array<shared::PyramidLevel, shared::pyramid_levels>;
 
 shared::CullPush push_of(const DrawTasks& tasks, const CullingSettings& s)
 {
@@ -134,6 +134,11 @@ DrawList add_culling_passes(graph::Graph& g, const DrawTasks& tasks, const Culli
 }
 
 } // namespace
+
+bool can_remember(const DrawTasks& tasks, const CullingSettings& s)
+{
+    return s.occlusion && culls_triangles(tasks, s);
+}
 
 DrawList add_occluders(graph::Graph& g, const DrawTasks& tasks, const CullingSettings& s)
 {

@@ -68,12 +68,13 @@ struct SeenInFrame {
                                    graph::Tex occluders = {});
 
 /// Reads  the scene's tables, depth (D32, reversed) of what the frame before saw.  Fills  `seen`.  What can be seen and
-/// was not drawn from seen.before: passes as above, and culls_triangles() must hold.
+/// was not drawn from seen.before: passes as above, and can_remember() must hold.
 [[nodiscard]] DrawList add_culling(graph::Graph& g, const DrawTasks& tasks, const CullingSettings& s, graph::Tex depth,
                                    const SeenInFrame& seen);
 
-/// Whether single triangles are culled: asked for, and the device and the scene allow it.
-[[nodiscard]] bool culls_triangles(const DrawTasks& tasks, const CullingSettings& s);
+/// Whether frames can begin with what the one before saw: hidden and single triangles are culled, which the device and
+/// the scene must allow.
+[[nodiscard]] bool can_remember(const DrawTasks& tasks, const CullingSettings& s);
 
 /// Reads  the scene's tables.  The tasks whose depth is worth drawing before everything else: in the view, without
 /// holes, and with triangles large enough to hide much. Pass `cull.occluders`.

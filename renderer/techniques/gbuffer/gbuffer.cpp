@@ -149,7 +149,7 @@ CulledGBuffer add_culled_gbuffer(graph::Graph& g, const DrawTasks& tasks, const 
         return {add_gbuffer(g, draws, geometry, size), {draws}, {}};
     }
     const GBuffer gb = create_targets(g, size);
-    if (seen && culls_triangles(tasks, s)) {
+    if (seen && can_remember(tasks, s)) {
         const SeenInFrame frame = seen->begin(g, tasks);
         add_depth_prepass(g, frame.occluders, geometry, gb.depth);
         add_pass(g, frame.before, geometry, gb, {Load::discard, Load::keep}, "gbuffer");

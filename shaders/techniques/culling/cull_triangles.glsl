@@ -126,12 +126,17 @@ void main()
     uint vertex_offset = uint(record_table[task.record].vertex_offset);
     bool one_sided = (record_table[task.record].flags & record_two_sided) == 0u;
 
-    uint kept = 0u, seen = 0u;
+    uint kept = 0u;
+#ifdef REMEMBERS
+    uint seen = 0u;
+#endif
     for (uint first = 0u; first < cluster.index_count; first += 3u * gl_SubgroupSize) {
         uint index = first + 3u * gl_SubgroupInvocationID;
         bool keep = false;
         uvec3 corners = uvec3(0u);
+#ifdef REMEMBERS
         bool drawn = false;
+#endif
         if (index < cluster.index_count) {
             uint at = cluster.first_index + index;
             corners = uvec3(index_table[at], index_table[at + 1u], index_table[at + 2u]);

@@ -7,11 +7,5 @@
 layout(push_constant, scalar) uniform Push { SeenPush push; };
 #include "techniques/culling/cull_triangles.glsl"
 
-#define PYRAMID_BUFFER 2
-#include "techniques/culling/depth_pyramid.glsl"
-
-bool keep_triangle(uint instances, ScreenTriangle t)
-{
-    if (!t.covers || t.crosses || instances != instances_of_partly_hidden) return t.covers;
-    return occlusion(push.occlusion.levels, t.low, t.high, t.nearest, t.nearest) != hides_all;
-}
+#define PYRAMID_LEVELS push.occlusion.levels
+#include "techniques/culling/keep_visible.glsl"
