@@ -89,6 +89,23 @@ VkDescriptorSet allocate_set(VkDevice device, VkDescriptorPool pool, const VkDes
     return set;
 }
 
+/// Compares with reversed depth: 1 where the reference is at least as near as what is stored. Where the device filters
+/// depth, the mean of four comparisons.
+VkSampler create_shadow_sampler(const Device& device)
+{
+    VkFormatProperties depth{};
+    vkGetPhysicalDeviceFormatProperties(device.physical(), vk(Format::depth32), &depth);
+    const bool filters = (depth.optimalTilingFeatures & VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT) != 0;
+    VkSamplerCreateInfo create{VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
+    create.magFilter = create.minFilter = filters ? VK_FILTER_LINEAR : VK_FILTER_NEAREST;
+    create.addressModeU = create.addressModeV = create.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+    create.compareEnable = VK_TRUE;
+    create.compareOp = VK_COMPARE_OP_GREATER_OR_EQUAL;
+    VkSampler sampler = VK_NULL_HANDLE;
+    check(vkCreateSampler(device.handle(), &create, nullptr, &sampler), "create the shadow sampler");
+    return sampler;
+}
+
 VkSampler create_sampler(VkDevice device, VkFilter filter, VkSamplerAddressMode address, float anisotropy,
                          float mip_bias)
 {
@@ -148,6 +165,7 @@ Descriptors::Descriptors(const Device& device)
     constexpr auto clamp = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
     write_sampler(SamplerSlot::linear_clamp, create_sampler(device.handle(), VK_FILTER_LINEAR, clamp, 1, 0));
     write_sampler(SamplerSlot::nearest_clamp, create_sampler(device.handle(), VK_FILTER_NEAREST, clamp, 1, 0));
+    write_sampler(SamplerSlot::shadow, create_shadow_sampler(device));
     set_material_filter(1, 0);
 }
 

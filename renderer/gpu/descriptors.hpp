@@ -17,7 +17,7 @@ namespace atrium::gpu {
 using TextureSlot = std::uint32_t;
 
 /// Slots of the samplers; same order as in shaders/lib/textures.glsl.
-enum class SamplerSlot : std::uint32_t { material, material_clamp, linear_clamp, nearest_clamp, count };
+enum class SamplerSlot : std::uint32_t { material, material_clamp, linear_clamp, nearest_clamp, shadow, count };
 
 /// The buffers of set 1, by binding.
 enum class FrameBinding : std::uint32_t { constants, materials, records, clusters, draw_tasks, draw_order, vertices, indices, count };
@@ -30,7 +30,7 @@ struct PassImage {
 class Descriptors {
 public:
     static constexpr std::uint32_t texture_capacity = 8192; ///< devices with descriptor indexing guarantee 500,000
-    static constexpr std::uint32_t max_pass_images = 12, max_pass_buffers = 7, max_passes = 512;
+    static constexpr std::uint32_t max_pass_images = 12, max_pass_buffers = 7, max_passes = 4096;
     static constexpr std::uint32_t push_bytes = 128; ///< what every device has
 
     explicit Descriptors(const Device& device);

@@ -133,6 +133,7 @@ DeviceReport describe(VkPhysicalDevice device, std::uint32_t index)
     vkGetPhysicalDeviceProperties2(device, &properties);
     report.subgroup_size = subgroup.subgroupSize;
     report.subpixel_bits = basic.limits.subPixelPrecisionBits;
+    report.widest_image = basic.limits.maxImageDimension2D;
     report.storage_range = basic.limits.maxStorageBufferRange;
     report.driver = fmt::format("{} {}", driver.driverName, driver.driverInfo);
     report.refusals = missing_features(device);

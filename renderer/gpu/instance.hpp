@@ -48,6 +48,7 @@ struct DeviceReport {
     bool is_cpu = false;
     std::uint32_t subgroup_size = 1;
     std::uint32_t subpixel_bits = 4; ///< of the positions that rasterisation rounds to
+    std::uint32_t widest_image = 4096;
     std::uint64_t storage_range = 0; ///< bytes that one storage buffer binding reaches
     VkPhysicalDevice handle = VK_NULL_HANDLE;
     std::uint32_t queue_family = 0; ///< graphics + compute + transfer

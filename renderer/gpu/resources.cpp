@@ -93,7 +93,7 @@ Image::Image(const Device& device, std::string_view name, const ImageDesc& desc)
     check(vmaCreateImage(device.allocator(), &create, &allocate, &image_, &allocation_, nullptr),
           fmt::format("allocate image {} ({}x{} {})", name, desc.width, desc.height, to_string(desc.format)));
     device.name(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<std::uint64_t>(image_), name);
-    create_view();
+    create_views();
 }
 
 Image Image::create_unbound(const Device& device, std::string_view name, const ImageDesc& desc)
@@ -119,27 +119,38 @@ void Image::bind(VmaAllocation block, std::uint64_t offset)
 {
     check(vmaBindImageMemory2(device_->allocator(), block, offset, image_, nullptr),
           fmt::format("place image {}", name_));
-    create_view();
+    create_views();
 }
 
-void Image::create_view()
+void Image::create_views()
+{
+    view_ = create_view(desc_.layers > 1 ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D, 0, desc_.layers);
+    for (std::uint32_t layer = 0; desc_.layers > 1 && layer < desc_.layers; ++layer)
+        layer_views_.push_back(create_view(VK_IMAGE_VIEW_TYPE_2D, layer, 1));
+}
+
+VkImageView Image::create_view(VkImageViewType type, std::uint32_t first_layer, std::uint32_t layers) const
 {
     VkImageViewCreateInfo create{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
     create.image = image_;
-    create.viewType = VK_IMAGE_VIEW_TYPE_2D;
+    create.viewType = type;
     create.format = vk(desc_.format);
     create.subresourceRange.aspectMask = is_depth(desc_.format) ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
     create.subresourceRange.levelCount = desc_.mips;
-    create.subresourceRange.layerCount = desc_.layers;
-    check(vkCreateImageView(device_->handle(), &create, nullptr, &view_),
+    create.subresourceRange.baseArrayLayer = first_layer;
+    create.subresourceRange.layerCount = layers;
+    VkImageView view = VK_NULL_HANDLE;
+    check(vkCreateImageView(device_->handle(), &create, nullptr, &view),
           fmt::format("create a view of image {}", name_));
-    device_->name(VK_OBJECT_TYPE_IMAGE_VIEW, reinterpret_cast<std::uint64_t>(view_), name_);
+    device_->name(VK_OBJECT_TYPE_IMAGE_VIEW, reinterpret_cast<std::uint64_t>(view), name_);
+    return view;
 }
 
 Image::~Image()
 {
     if (!device_) return;
     if (view_) vkDestroyImageView(device_->handle(), view_, nullptr);
+    for (VkImageView view : layer_views_) vkDestroyImageView(device_->handle(), view, nullptr);
     if (allocation_) {
         vmaDestroyImage(device_->allocator(), image_, allocation_);
     } else if (image_) {
@@ -159,6 +170,7 @@ Image& Image::operator=(Image&& other) noexcept
     std::swap(name_, other.name_);
     std::swap(image_, other.image_);
     std::swap(view_, other.view_);
+    std::swap(layer_views_, other.layer_views_);
     std::swap(allocation_, other.allocation_);
     return *this;
 }

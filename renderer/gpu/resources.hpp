@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 struct VmaAllocation_T;
 using VmaAllocation = VmaAllocation_T*;
@@ -54,7 +55,8 @@ struct ImageDesc {
     VkImageUsageFlags usage = 0;
 };
 
-/// A 2D image with one view of all of it. Memory is its own, or (create_unbound) bound by the owner of a shared block.
+/// A 2D image with one view of all of it (of an array, where it has layers). Memory is its own, or (create_unbound)
+/// bound by the owner of a shared block.
 class Image {
 public:
     Image() = default;
@@ -70,16 +72,23 @@ public:
 
     [[nodiscard]] VkImage handle() const { return image_; }
     [[nodiscard]] VkImageView view() const { return view_; }
+    /// Of one layer, to be drawn into.
+    [[nodiscard]] VkImageView layer_view(std::uint32_t layer) const
+    {
+        return layer_views_.empty() ? view_ : layer_views_.at(layer);
+    }
     [[nodiscard]] const ImageDesc& desc() const { return desc_; }
 
 private:
-    void create_view();
+    void create_views();
+    [[nodiscard]] VkImageView create_view(VkImageViewType type, std::uint32_t first_layer, std::uint32_t layers) const;
     const Device* device_ = nullptr;
     ImageDesc desc_;
     std::string name_;
     VkImage image_ = VK_NULL_HANDLE;
     VkImageView view_ = VK_NULL_HANDLE;
-    VmaAllocation allocation_ = nullptr; ///< null when the memory is somebody else's
+    std::vector<VkImageView> layer_views_; ///< where there are several
+    VmaAllocation allocation_ = nullptr;   ///< null when the memory is somebody else's
 };
 
 /// A block of device memory in which several transient images lie.

@@ -26,6 +26,21 @@ void Cmd::cull(CullMode mode)
     vkCmdSetCullMode(commands_, mode == CullMode::back ? VK_CULL_MODE_BACK_BIT : VK_CULL_MODE_NONE);
 }
 
+void Cmd::viewport(uvec2 origin, uvec2 size)
+{
+    set_viewport(commands_, origin, size);
+}
+
+void Cmd::clear_depth(uvec2 origin, uvec2 size, float depth)
+{
+    VkClearAttachment clear{};
+    clear.aspectMask = VK_IMAGE_ASPECT_DEPTH_BIT;
+    clear.clearValue.depthStencil = {depth, 0};
+    const VkClearRect rect{
+        {{static_cast<std::int32_t>(origin.x), static_cast<std::int32_t>(origin.y)}, {size.x, size.y}}, 0, 1};
+    vkCmdClearAttachments(commands_, 1, &clear, 1, &rect);
+}
+
 void Cmd::draw_fullscreen()
 {
     vkCmdDraw(commands_, 3, 1, 0, 0);

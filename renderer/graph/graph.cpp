@@ -38,10 +38,21 @@ Buf Graph::import(std::string name, const gpu::Buffer& buffer, Access initial)
     return {static_cast<ResourceIndex>(resources_.size() - 1)};
 }
 
-void Graph::keep(Buf buffer, Access access)
+Tex Graph::import(std::string name, const gpu::Image& image, Access initial)
 {
-    resources_[buffer.index].keep = true;
-    finals_.push_back({buffer.index, access});
+    Resource r;
+    r.name = std::move(name);
+    r.desc = {image.desc().format, image.desc().width, image.desc().height, image.desc().layers};
+    r.imported_image = &image;
+    r.initial = initial;
+    resources_.push_back(std::move(r));
+    return {static_cast<ResourceIndex>(resources_.size() - 1)};
+}
+
+void Graph::keep(ResourceIndex resource, Access access)
+{
+    resources_[resource].keep = true;
+    finals_.push_back({resource, access});
 }
 
 std::optional<Tex> Graph::find(const std::string& name) const
@@ -70,7 +81,8 @@ PassBuilder& PassBuilder::reads(Tex texture)
 {
     if (!texture) throw std::logic_error(fmt::format("pass {} reads an image that does not exist", pass().name));
     constexpr std::array by_kind{Access::sampled_fragment, Access::sampled_compute, Access::transfer_read};
-    pass().uses.push_back({texture.index, by_kind[static_cast<std::size_t>(pass().kind)]});
+    const SubresourceRange all{0, 1, 0, graph_.desc(texture).layers};
+    pass().uses.push_back({texture.index, by_kind[static_cast<std::size_t>(pass().kind)], all});
     return *this;
 }
 
@@ -89,11 +101,16 @@ PassBuilder& PassBuilder::reads(Buf buffer, Access access)
 
 PassBuilder& PassBuilder::writes(Tex texture, Load load, vec4 clear)
 {
+    return writes_layer(texture, 0, load, clear);
+}
+
+PassBuilder& PassBuilder::writes_layer(Tex texture, std::uint32_t layer, Load load, vec4 clear)
+{
     if (pass().kind != PassKind::raster) {
         throw std::logic_error(fmt::format("pass {}: only raster passes write images", pass().name));
     }
-    pass().colors.push_back({texture, load, clear});
-    pass().uses.push_back({texture.index, Access::color_write, {}, load != Load::keep});
+    pass().colors.push_back({texture, load, clear, layer});
+    pass().uses.push_back({texture.index, Access::color_write, {0, 1, layer, 1}, load != Load::keep});
     return *this;
 }
 

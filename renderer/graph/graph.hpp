@@ -31,7 +31,7 @@ struct Buf {
 
 struct TexDesc {
     gpu::Format format = gpu::Format::none;
-    std::uint32_t width = 1, height = 1;
+    std::uint32_t width = 1, height = 1, layers = 1;
     bool operator==(const TexDesc&) const = default;
 };
 
@@ -52,6 +52,9 @@ public:
     }
     void bind(std::size_t pipeline = 0); ///< the pass's n-th pipeline
     void cull(CullMode mode);
+    /// Draws into a part of the targets, `origin` its upper left pixel, until the pass ends or the next call.
+    void viewport(uvec2 origin, uvec2 size);
+    void clear_depth(uvec2 origin, uvec2 size, float depth); ///< a part of the depth target
     void draw_fullscreen();
     void bind_geometry(const gpu::Buffer& vertices, const gpu::Buffer& indices);
     void bind_geometry(const gpu::Buffer& vertices, Buf indices);
@@ -84,6 +87,7 @@ struct Attachment {
     Tex texture;
     Load load = Load::discard;
     vec4 clear{0};
+    std::uint32_t layer = 0;
 };
 
 /// A declared pass. Built by PassBuilder.
@@ -107,6 +111,7 @@ public:
     PassBuilder& reads(Buf buffer, Access access);
     PassBuilder& writes(Tex texture, Load load = Load::discard,
                         vec4 clear = vec4(0)); ///< raster: the next colour target
+    PassBuilder& writes_layer(Tex texture, std::uint32_t layer, Load load = Load::discard, vec4 clear = vec4(0));
     /// All of it. Compute: storage, at the next buffer binding of set 2; transfer: copied to.
     PassBuilder& writes(Buf buffer);
     /// Part of it, or what is read too: what earlier passes wrote stays.
@@ -152,8 +157,11 @@ public:
     [[nodiscard]] Buf buffer(std::string name, std::uint64_t bytes);
     /// A buffer that outlives the frame, such as one the CPU reads afterwards. `initial`: how it was last used.
     [[nodiscard]] Buf import(std::string name, const gpu::Buffer& buffer, Access initial = Access::none);
+    /// The same of an image with one mip level. Its own usage must allow what passes do with it.
+    [[nodiscard]] Tex import(std::string name, const gpu::Image& image, Access initial = Access::none);
     /// The resource's contents are wanted after the frame, in the state of `access`.
-    void keep(Buf buffer, Access access);
+    void keep(Buf buffer, Access access) { keep(buffer.index, access); }
+    void keep(Tex texture, Access access) { keep(texture.index, access); }
 
     PassBuilder raster(std::string name) { return add(std::move(name), PassKind::raster); }
     PassBuilder compute(std::string name) { return add(std::move(name), PassKind::compute); }
@@ -170,11 +178,14 @@ private:
         bool is_image = true;
         TexDesc desc;
         std::uint64_t bytes = 0;
-        const gpu::Buffer* imported = nullptr;
+        const gpu::Buffer* imported = nullptr; ///< one of these, or none where the resource is the frame's own
+        const gpu::Image* imported_image = nullptr;
+        [[nodiscard]] bool is_imported() const { return imported || imported_image; }
         Access initial = Access::none;
         bool keep = false;
     };
     PassBuilder add(std::string name, PassKind kind);
+    void keep(ResourceIndex resource, Access access);
     std::vector<Resource> resources_;
     std::vector<Pass> passes_;
     std::vector<FinalUse> finals_;

@@ -10,7 +10,7 @@
 namespace atrium::graph {
 namespace {
 
-constexpr std::uint32_t max_passes = 512;
+constexpr std::uint32_t max_passes = gpu::Descriptors::max_passes;
 
 double ms_since(std::chrono::steady_clock::time_point start)
 {
@@ -34,7 +34,8 @@ GraphDesc Runner::describe(const Graph& graph)
         ResourceDesc desc;
         desc.name = r.name;
         desc.is_image = r.is_image;
-        desc.transient = r.imported == nullptr;
+        desc.layers = r.desc.layers;
+        desc.transient = !r.is_imported();
         desc.keep = r.keep;
         desc.initial = r.initial;
         transients_->requirements(static_cast<ResourceIndex>(i), desc);
@@ -67,7 +68,7 @@ RunStats Runner::run(Graph& graph, gpu::TimerMode mode)
     const auto start = std::chrono::steady_clock::now();
     transients_->create(graph.resources_.size(), [&](ResourceIndex i) {
         const Graph::Resource& r = graph.resources_[i];
-        return TransientDesc{r.name, r.is_image, r.imported != nullptr, r.desc, r.bytes, usage_of(i, graph.passes_)};
+        return TransientDesc{r.name, r.is_image, r.is_imported(), r.desc, r.bytes, usage_of(i, graph.passes_)};
     });
     described_ = describe(graph);
     plan_ = make_plan(described_, graph.finals_);
@@ -118,7 +119,7 @@ void Runner::bind_resources(VkCommandBuffer commands, const Pass& pass)
     for (const Use& use : pass.uses) {
         const bool sampled = use.access == Access::sampled_fragment || use.access == Access::sampled_compute;
         if (described_.resources[use.resource].is_image) {
-            if (sampled) images.push_back({transients_->image(use.resource).view(), gpu::info(use.access).layout});
+            if (sampled) images.push_back({image(use.resource).view(), gpu::info(use.access).layout});
         } else if (sampled || use.access == Access::storage_write) {
             buffers.push_back(buffer_of(use.resource));
         }
@@ -140,7 +141,7 @@ void Runner::begin_rendering(VkCommandBuffer cmd, const Pass& pass) const
 {
     const auto attachment = [&](const Attachment& a, VkImageLayout layout, bool is_depth) {
         VkRenderingAttachmentInfo info{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
-        info.imageView = transients_->image(a.texture.index).view();
+        info.imageView = image(a.texture.index).layer_view(a.layer);
         info.imageLayout = layout;
         info.loadOp = a.load == Load::clear     ? VK_ATTACHMENT_LOAD_OP_CLEAR
                       : a.load == Load::discard ? VK_ATTACHMENT_LOAD_OP_DONT_CARE
@@ -173,17 +174,29 @@ void Runner::begin_rendering(VkCommandBuffer cmd, const Pass& pass) const
     info.pColorAttachments = colors.data();
     info.pDepthAttachment = pass.depth ? &depth : nullptr;
     vkCmdBeginRendering(cmd, &info);
-    // Negative height: clip y points up everywhere.
-    const auto w = static_cast<float>(size.width), h = static_cast<float>(size.height);
-    const VkViewport viewport{0, h, w, -h, 0, 1};
-    vkCmdSetViewport(cmd, 0, 1, &viewport);
-    vkCmdSetScissor(cmd, 0, 1, &info.renderArea);
+    set_viewport(cmd, uvec2(0), {size.width, size.height});
     vkCmdSetCullMode(cmd, VK_CULL_MODE_NONE);
+}
+
+void set_viewport(VkCommandBuffer cmd, uvec2 origin, uvec2 size)
+{
+    const vec2 at(origin), extent(size);
+    const VkViewport viewport{at.x, at.y + extent.y, extent.x, -extent.y, 0, 1};
+    const VkRect2D scissor{{static_cast<std::int32_t>(origin.x), static_cast<std::int32_t>(origin.y)},
+                           {size.x, size.y}};
+    vkCmdSetViewport(cmd, 0, 1, &viewport);
+    vkCmdSetScissor(cmd, 0, 1, &scissor);
+}
+
+const gpu::Image& Runner::image(ResourceIndex r) const
+{
+    const gpu::Image* imported = graph_->resources_[r].imported_image;
+    return imported ? *imported : transients_->image(r);
 }
 
 VkImage Runner::image_of(ResourceIndex r) const
 {
-    return graph_->resources_[r].is_image ? transients_->image(r).handle() : VK_NULL_HANDLE;
+    return graph_->resources_[r].is_image ? image(r).handle() : VK_NULL_HANDLE;
 }
 
 VkBuffer Runner::buffer_of(ResourceIndex r) const

@@ -43,6 +43,7 @@ private:
     void bind_resources(VkCommandBuffer cmd, const Pass& pass);
     void issue(VkCommandBuffer cmd, const std::vector<Barrier>& barriers) const;
     void begin_rendering(VkCommandBuffer cmd, const Pass& pass) const;
+    [[nodiscard]] const gpu::Image& image(ResourceIndex r) const;
     [[nodiscard]] VkImage image_of(ResourceIndex r) const;
     [[nodiscard]] VkBuffer buffer_of(ResourceIndex r) const;
 
@@ -62,5 +63,8 @@ void issue_barriers(VkCommandBuffer cmd, const std::vector<Barrier>& barriers,
                     const std::function<VkImage(ResourceIndex)>& image_of,
                     const std::function<VkBuffer(ResourceIndex)>& buffer_of,
                     const std::function<bool(ResourceIndex)>& is_depth);
+
+/// Viewport and scissor; of negative height, so that clip y points up everywhere.
+void set_viewport(VkCommandBuffer cmd, uvec2 origin, uvec2 size);
 
 } // namespace atrium::graph

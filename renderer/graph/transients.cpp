@@ -54,13 +54,13 @@ void Runner::Transients::make(Entry& entry)
     if (d.imported) return;
     if (d.is_image) {
         if (d.usage == 0) return; // declared, never used
-        entry.image =
-            gpu::Image::create_unbound(device_, d.name, {d.desc.format, d.desc.width, d.desc.height, 1, 1, d.usage});
+        entry.image = gpu::Image::create_unbound(
+            device_, d.name, {d.desc.format, d.desc.width, d.desc.height, 1, d.desc.layers, d.usage});
         entry.requirements = entry.image.requirements();
     } else {
         constexpr VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT |
-                                             VK_BUFFER_USAGE_INDEX_BUFFER_BIT |
-                                             VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+                                             VK_BUFFER_USAGE_INDEX_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
+                                             VK_BUFFER_USAGE_TRANSFER_DST_BIT;
         entry.buffer = gpu::Buffer(device_, d.name, d.bytes, usage, gpu::MemoryUse::device);
     }
 }
