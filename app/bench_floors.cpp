@@ -22,14 +22,21 @@ void add_gbuffer_floor(graph::Graph& g, const GpuScene& scene, uvec2 size)
     g.raster("floor.gbuffer.sink").reads(gb.albedo).writes(sink, Load::clear).always();
 }
 
-/// Reads the targets that lighting reads and writes one.
-void add_lighting_floor(graph::Graph& g, const GBuffer& gb)
+/// Reads the targets that lighting reads, visibility of so many lights among them, and writes one.
+void add_lighting_floor(graph::Graph& g, const GBuffer& gb, std::size_t shadowed)
 {
+    graph::Tex visibility;
+    if (shadowed > 0) visibility = create_visibility(g, gb, shadowed);
+    for (std::uint32_t layer = 0; layer < shadowed; ++layer)
+        g.raster("floor.lighting.visibility").writes_layer(visibility, layer, Load::clear, vec4(1));
     graph::TexDesc desc = g.desc(gb.depth);
     desc.format = gpu::Format::rgba16_float;
     const graph::Tex target = g.texture("floor.lighting", desc);
     graph::PassBuilder pass = g.raster("floor.lighting");
-    reads(pass, gb).writes(target).always().fullscreen("techniques/bench/gbuffer_read.frag");
+    reads(pass, gb);
+    if (visibility) pass.reads(visibility);
+    pass.writes(target).always().fullscreen("techniques/bench/gbuffer_read.frag",
+                                            {static_cast<std::uint32_t>(shadowed)});
 }
 
 /// As many depths as ambient occlusion reads.
@@ -41,6 +48,23 @@ void add_ao_floor(graph::Graph& g, const GBuffer& gb, int taps)
     graph::PassBuilder pass = g.raster("floor.ao_taps");
     reads(pass, gb).writes(target).always().fullscreen("techniques/bench/ao_taps.frag",
                                                        {static_cast<std::uint32_t>(taps)});
+}
+
+/// As many depths as the shadows of a light read and compare, from a map of their format through their samplers.
+void add_shadow_floor(graph::Graph& g, uvec2 size, const ShadowSettings& s)
+{
+    const auto side = static_cast<std::uint32_t>(s.resolution);
+    const graph::Tex map = g.texture("floor.shadow_taps.map", {gpu::Format::depth32, side, side});
+    const graph::Tex target = g.texture("floor.shadow_taps", {gpu::Format::r32_float, size.x, size.y});
+    const int plain = s.filter == ShadowFilter::pcss ? s.blocker_samples : 0;
+    const int compared = s.filter == ShadowFilter::hard ? 1 : s.samples;
+    g.raster("floor.shadow_taps.map").depth(map, Load::clear, 0.5f);
+    g.raster("floor.shadow_taps")
+        .reads(map)
+        .writes(target)
+        .always()
+        .fullscreen("techniques/bench/shadow_taps.frag",
+                    {static_cast<std::uint32_t>(plain), static_cast<std::uint32_t>(compared)});
 }
 
 /// 16 bilinear taps of an RGBA8 image at each pixel.
@@ -61,8 +85,10 @@ std::map<std::string, double> run_device_floors(Engine& engine, const FrameReque
     const GpuScene& scene = engine.scene();
     const GBuffer gb =
         add_culled_gbuffer(g, scene.tasks(), scene.geometry(), request.size, request.settings.culling).gbuffer;
-    add_lighting_floor(g, gb);
+    const std::size_t shadowed = shadowed_lights(request.lights, request.settings.shadow).size();
+    add_lighting_floor(g, gb, shadowed);
     if (request.settings.ao.method != AoMethod::off) add_ao_floor(g, gb, request.settings.ao.samples);
+    if (shadowed > 0) add_shadow_floor(g, request.size, request.settings.shadow);
     add_gbuffer_floor(g, scene, request.size);
     add_t16_floor(g, request.size);
     std::map<std::string, double> floors;

@@ -9,7 +9,8 @@
 
 namespace atrium::app {
 
-/// GPU times of the device's floors by name: floor.t16, floor.gbuffer, floor.lighting. One run, timers serialized.
+/// GPU times of the device's floors by name: floor.t16, floor.gbuffer, floor.lighting, and where they apply
+/// floor.ao_taps, floor.shadow_taps. One run, timers serialized.
 [[nodiscard]] std::map<std::string, double> run_device_floors(Engine& engine, const FrameRequest& request);
 
 /// Where the bulk sections (vertices, indices, texels, which follow each other) lie in a bake's file.

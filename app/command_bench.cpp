@@ -58,6 +58,7 @@ std::string floor_of(const std::string& name)
     if (name.starts_with("gbuffer") || name == "cull+gbuffer") return "floor.gbuffer";
     if (name == "lighting") return "floor.lighting";
     if (name.starts_with("ao")) return "floor.ao_taps";
+    if (name.starts_with("visibility")) return "floor.shadow_taps";
     if (name == "load") return "floor.copy";
     if (name == "parse") return "load";
     return "floor.t16";
@@ -65,7 +66,7 @@ std::string floor_of(const std::string& name)
 
 bool is_floor(const std::string& pass)
 {
-    constexpr std::array floors{"floor.t16", "floor.gbuffer", "floor.lighting", "floor.ao_taps"};
+    constexpr std::array floors{"floor.t16", "floor.gbuffer", "floor.lighting", "floor.ao_taps", "floor.shadow_taps"};
     return std::find(floors.begin(), floors.end(), pass) != floors.end();
 }
 

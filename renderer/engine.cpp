@@ -106,7 +106,7 @@ struct Engine::State {
     explicit State(const EngineOptions& o)
         : options(o), instance(o.validate), device(instance, gpu::choose_device(instance, o.device)),
           descriptors(device), pipelines(device, descriptors, o.shaders, o.cache_folder),
-          runner(device, descriptors, pipelines), readbacks(device),
+          runner(device, descriptors, pipelines), readbacks(device), shadow_maps(device),
           constants(device, "frame constants", sizeof(shared::FrameConstants), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
                     gpu::MemoryUse::upload)
     {
@@ -119,6 +119,7 @@ struct Engine::State {
     gpu::Pipelines pipelines;
     graph::Runner runner;
     Readbacks readbacks;
+    ShadowMaps shadow_maps;
     gpu::Buffer constants;
     std::unique_ptr<GpuScene> scene;
     std::optional<SeenTriangles> seen; ///< of the scene, once a frame was to be remembered
@@ -160,6 +161,7 @@ void Engine::load(const SceneDescription& scene)
 void Engine::unload()
 {
     state_->seen.reset();
+    state_->shadow_maps.forget();
     state_->scene.reset();
 }
 
@@ -197,6 +199,7 @@ FrameResult Engine::render(const FrameRequest& request)
         return draw(request);
     } catch (...) {
         state_->seen.reset(); // a frame that was not drawn has filled no memory
+        state_->shadow_maps.forget();
         throw;
     }
 }
@@ -215,9 +218,15 @@ FrameResult Engine::draw(const FrameRequest& request)
     graph::Graph g;
     const bool remember = request.remember && can_remember(s.scene->tasks(), request.settings.culling);
     if (remember && !s.seen) s.seen.emplace(s.device, s.scene->tasks());
-    const FrameContext context{request.settings, *s.scene, request.size, remember ? &*s.seen : nullptr,
+    const FrameContext context{request.settings,
+                               *s.scene,
+                               request.size,
+                               request.camera,
+                               request.lights,
+                               &s.shadow_maps,
+                               remember ? &*s.seen : nullptr,
                                order_lights(request.lights)};
-    const Frame frame = build_frame(g, *s.renderer, context, request.aovs, request.lights);
+    const Frame frame = build_frame(g, *s.renderer, context, request.aovs);
 
     s.readbacks.begin();
     const gpu::Buffer* picture = nullptr;

@@ -5,6 +5,25 @@
 namespace atrium {
 namespace {
 
+struct FrameShadows {
+    ShadowMapSet maps;
+    graph::Tex visibility;
+};
+
+FrameShadows add_shadows(graph::Graph& g, const GBuffer& gbuffer, const FrameContext& frame)
+{
+    if (!frame.shadow_maps) return {};
+    const Settings& s = frame.settings;
+    const float aspect = static_cast<float>(frame.size.x) / static_cast<float>(frame.size.y);
+    const ShadowCasters casters{frame.scene.tasks(), frame.scene.geometry(), frame.scene.bounds(),
+                                vec2(s.texture.anisotropy, s.debug.alpha_lod0 ? 1 : 0)};
+    const ShadowMapSet maps = frame.shadow_maps->add(g, casters, frame.lights, frame.camera, aspect, s.shadow);
+    if (s.shadow.filter != ShadowFilter::reference)
+        return {maps, add_all_visibility(g, gbuffer, maps, frame.lights, s.shadow)};
+    return {maps,
+            frame.shadow_maps->add_reference(g, gbuffer, casters, frame.lights, frame.camera, aspect, maps, s.shadow)};
+}
+
 class DeferredRenderer final : public Renderer {
 public:
     SceneImages add_passes(graph::Graph& g, const FrameContext& frame) const override
@@ -13,16 +32,25 @@ public:
         const auto [gbuffer, draws, occluders] =
             add_culled_gbuffer(g, frame.scene.tasks(), frame.scene.geometry(), frame.size, s.culling, frame.seen);
         const AmbientOcclusion ao = add_ao(g, gbuffer, s.ao);
+        const auto [shadows, visibility] = add_shadows(g, gbuffer, frame);
         LightingTerms all;
+        all.visibility = visibility;
         all.ao = ao.result;
         all.multi_bounce = s.ao.multi_bounce;
-        all.end_delta = frame.lights.delta_count;
-        all.end_light = static_cast<std::uint32_t>(frame.lights.places.size());
+        all.end_delta = frame.light_order.delta_count;
+        all.end_light = static_cast<std::uint32_t>(frame.light_order.places.size());
         const graph::Tex hdr = add_lighting(g, gbuffer, all);
         add_sky(g, gbuffer.depth, hdr);
-        return {{gbuffer, hdr, ao.raw, ao.result, s.ao.multi_bounce, draws, occluders, frame.scene.geometry(),
-                 frame.lights},
-                hdr};
+        AovInputs inputs{gbuffer,           hdr,   ao.raw,    ao.result,
+                         s.ao.multi_bounce, draws, occluders, frame.scene.geometry(),
+                         frame.light_order};
+        inputs.visibility = visibility;
+        inputs.shadow_image = [gbuffer = gbuffer, shadows = shadows, visibility = visibility, lights = frame.lights,
+                               settings = s.shadow](graph::Graph& graph, std::uint32_t light, std::uint32_t shown,
+                                                    const std::string& pass) {
+            return add_shadow_image(graph, gbuffer, shadows, lights, visibility, settings, light, shown, pass);
+        };
+        return {inputs, hdr};
     }
 };
 
@@ -37,8 +65,7 @@ std::unique_ptr<Renderer> make_renderer(RenderPath path)
     return nullptr;
 }
 
-Frame build_frame(graph::Graph& g, const Renderer& renderer, const FrameContext& frame, std::span<const Aov> aovs,
-                  std::span<const Light> lights)
+Frame build_frame(graph::Graph& g, const Renderer& renderer, const FrameContext& frame, std::span<const Aov> aovs)
 {
     const Settings& s = frame.settings;
     const float exposure = exposure_scale(s.exposure);
@@ -51,8 +78,8 @@ Frame build_frame(graph::Graph& g, const Renderer& renderer, const FrameContext&
     if (s.debug.view.empty()) {
         out.picture = add_tonemap(g, scene.hdr, s.tonemap);
     } else {
-        const Aov shown = parse_aov(s.debug.view, lights);
-        out.picture = add_debug_view(g, add_aov(g, shown, scene.aov_inputs, exposure), *shown.info,
+        const Aov shown = parse_aov(s.debug.view, frame.lights);
+        out.picture = add_debug_view(g, add_aov(g, shown, scene.aov_inputs, exposure), *shown.info, frame.size,
                                      frame.scene.bounds().diagonal());
     }
     return out;

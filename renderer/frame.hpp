@@ -4,6 +4,7 @@
 #include "renderer/gpu_scene.hpp"
 #include "renderer/graph/graph.hpp"
 #include "renderer/settings.hpp"
+#include "renderer/techniques/shadow/shadow_maps.hpp"
 
 #include <memory>
 #include <span>
@@ -16,8 +17,11 @@ struct FrameContext {
     const Settings& settings;
     const GpuScene& scene;
     uvec2 size{0};
-    SeenTriangles* seen = nullptr; ///< of the frame before; null: frames know nothing of each other
-    LightOrder lights;
+    Camera camera;
+    std::span<const Light> lights;
+    ShadowMaps* shadow_maps = nullptr; ///< null: lights cast no shadows
+    SeenTriangles* seen = nullptr;     ///< of the frame before; null: frames know nothing of each other
+    LightOrder light_order;
 };
 
 /// A scene turned into radiance, with the intermediate images that AOVs are made from.
@@ -46,6 +50,6 @@ struct Frame {
 
 /// The whole frame. Throws Error(usage) when debug.view names no AOV.
 [[nodiscard]] Frame build_frame(graph::Graph& g, const Renderer& renderer, const FrameContext& frame,
-                                std::span<const Aov> aovs, std::span<const Light> lights);
+                                std::span<const Aov> aovs);
 
 } // namespace atrium

@@ -41,6 +41,9 @@ shared::FrameConstants make_frame_constants(const FrameRequest& request, const G
     const LightOrder order = order_lights(request.lights);
     for (std::size_t i = 0; i < request.lights.size(); ++i)
         f.lights[order.places[i]] = to_gpu(request.lights[i], exposure);
+    const std::vector<std::uint32_t> shadowed = shadowed_lights(request.lights, s.shadow);
+    for (std::uint32_t layer = 0; layer < shadowed.size(); ++layer)
+        f.lights[order.places[shadowed[layer]]].shadow_layer = layer;
     return f;
 }
 

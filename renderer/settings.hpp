@@ -7,6 +7,7 @@
 #include "renderer/techniques/culling/culling.hpp"
 #include "renderer/techniques/gbuffer/gbuffer.hpp"
 #include "renderer/techniques/lighting/lighting.hpp"
+#include "renderer/techniques/shadow/shadow.hpp"
 #include "renderer/techniques/sky/sky.hpp"
 #include "renderer/techniques/tonemap/tonemap.hpp"
 
@@ -61,6 +62,7 @@ struct Settings {
     TextureSettings texture;
     AmbientSettings ambient;
     AoSettings ao;
+    ShadowSettings shadow;
     SkySettings sky;
     ExposureSettings exposure;
     TonemapSettings tonemap;
@@ -77,6 +79,7 @@ void describe(V& v, Settings& s)
     describe(v, s.texture);
     describe(v, s.ambient);
     describe(v, s.ao);
+    describe(v, s.shadow);
     describe(v, s.sky);
     describe(v, s.exposure);
     describe(v, s.tonemap);

@@ -30,6 +30,12 @@ vec4 sample_material(uint slot, uint sampler_slot, vec2 uv)
     return texture(sampler2D(textures[slot], samplers[sampler_slot]), uv);
 }
 
+/// The same, so many mip levels further.
+vec4 sample_material(uint slot, uint sampler_slot, vec2 uv, float bias)
+{
+    return texture(sampler2D(textures[nonuniformEXT(slot)], samplers[nonuniformEXT(sampler_slot)]), uv, bias);
+}
+
 vec4 sample_material_lod0(uint slot, uint sampler_slot, vec2 uv)
 {
     return textureLod(sampler2D(textures[nonuniformEXT(slot)], samplers[nonuniformEXT(sampler_slot)]), uv, 0.0);

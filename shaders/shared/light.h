@@ -6,6 +6,7 @@ SHARED_BEGIN
 
 const uint light_sun = 0, light_spot = 1, light_point = 2, light_rect = 3;
 const uint light_capacity = 64;
+const uint no_shadow_layer = 0xffffffffu;
 
 /// Lights stand in the frame's table in this order: those without area (sun, spot, point), then rectangles.
 struct GpuLight {
@@ -19,11 +20,12 @@ struct GpuLight {
     float spot_offset;
     vec3 half_up;       // rect: to the middle of its upper edge, m
     float sin2_radius;  // sun: squared sine of its angular radius
+    uint shadow_layer;  // of the image of visibilities, or no_shadow_layer
     float local;        // 1 where the light has a place, 0 for a sun: l = position - local * p
 };
 
 SHARED_END
 #ifdef __cplusplus
-static_assert(sizeof(atrium::shared::GpuLight) == 84);
+static_assert(sizeof(atrium::shared::GpuLight) == 88);
 #endif
 #endif

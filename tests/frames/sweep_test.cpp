@@ -52,6 +52,7 @@ TEST(sweep, every_value_of_every_setting_draws)
     rig.request.size = {64, 36};
     rig.request.want_picture = rig.request.want_hdr = true;
     rig.look({-8, 1.7f, 0.5f}, {8, 2.5f, 0});
+    rig.set("shadow.reference_points", "3");
     Settings described;
     SettingList list;
     describe(list, described);

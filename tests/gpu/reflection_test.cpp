@@ -5,6 +5,7 @@
 #include "shaders/shared/frame.h"
 #include "shaders/shared/lighting.h"
 #include "shaders/shared/scene.h"
+#include "shaders/shared/shadow.h"
 #include "tests/rig/device_rig.hpp"
 
 #include <gtest/gtest.h>
@@ -91,6 +92,19 @@ TEST(shared_structs, scene_tables_have_one_layout)
     EXPECT_MEMBER(o, GpuRecord, prev_rows);
     EXPECT_MEMBER(o, GpuRecord, material);
     EXPECT_MEMBER(o, GpuRecord, vertex_offset);
+}
+
+TEST(shared_structs, shadows_have_one_layout)
+{
+    const Offsets o = offsets_in("techniques/shadow/visibility.frag");
+    EXPECT_MEMBER(o, ShadowFace, y);
+    EXPECT_MEMBER(o, ShadowFace, scale);
+    EXPECT_MEMBER(o, VisibilityPush, near);
+    EXPECT_MEMBER(o, VisibilityPush, height_per_spread);
+    EXPECT_MEMBER(o, VisibilityPush, cos_outer);
+    EXPECT_MEMBER(o, VisibilityPush, side);
+    EXPECT_MEMBER(o, VisibilityPush, cells);
+    EXPECT_MEMBER(o, VisibilityPush, from_centre);
 }
 
 TEST(shared_structs, culling_has_one_layout)

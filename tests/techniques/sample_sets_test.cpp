@@ -136,5 +136,44 @@ TEST(sample_sets, a_seed_gives_the_same_bytes_everywhere)
     EXPECT_EQ(hash64(std::as_bytes(std::span(square))), 5037681606435563444u);
 }
 
+/// RMS of what straight edges at all angles and distances cover of a set, less what they cover of the disc.
+double edge_error(const std::vector<vec2>& set)
+{
+    double sum = 0;
+    constexpr int angles = 64, steps = 80;
+    for (int a = 0; a < angles; ++a) {
+        const double angle = 2 * std::numbers::pi * a / angles;
+        for (int k = 0; k < steps; ++k) {
+            const double x = -1 + 2 * (k + 0.5) / steps;
+            const auto covered = std::count_if(set.begin(), set.end(), [&](const vec2& p) {
+                return static_cast<double>(p.x) * std::cos(angle) + static_cast<double>(p.y) * std::sin(angle) < x;
+            });
+            const double of_disc = 0.5 + (x * std::sqrt(1 - x * x) + std::asin(x)) / std::numbers::pi;
+            const double error = static_cast<double>(covered) / static_cast<double>(set.size()) - of_disc;
+            sum += error * error;
+        }
+    }
+    return std::sqrt(sum / (angles * steps));
+}
+
+TEST(sample_sets, evened_out_discs_tell_edges_better_and_stay_in_the_disc)
+{
+    for (const int count : {8, 16, 32, 64}) {
+        double before = 0, after = 0, square = 0;
+        for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+            std::vector<vec2> set = disc_samples(count, seed);
+            before += edge_error(set);
+            even_out_radii(set);
+            after += edge_error(set);
+            for (const vec2& p : set) {
+                EXPECT_LE(glm::length(p), 1);
+                square += static_cast<double>(glm::dot(p, p)) / (30.0 * count);
+            }
+        }
+        EXPECT_LT(after, 0.83 * before) << count;
+        EXPECT_NEAR(square, 0.5, 0.07) << count; // of the disc
+    }
+}
+
 } // namespace
 } // namespace atrium

@@ -1,18 +1,25 @@
 // truth_aov: the AOVs that a camera ought to see in a bake, by ray casting; and how far the renderer's agree with them.
 //
 //   truth_aov SCENE.atrium --eye X,Y,Z --target X,Y,Z --fov F --size WxH [--out PREFIX] [--compare DIR]
+//             [--light SPEC --samples N [--visibility FILE.exr]…]
 //
 // --out writes PREFIX-{depth,geometric_normal,material}.exr. --compare reads DIR/{depth,geometric_normal,material}.exr
 // as `atrium render --aov` wrote them and prints how they agree off silhouettes, masked surfaces (and what is seen
 // through their holes) apart; render with `--set debug.alpha_lod0=on` for those. Exit code 1: a share is not reached.
+//
+// --light reckons the light's visibility too, of N points of it (1: a point light), and tells how far each
+// --visibility, as `atrium render --aov visibility.L=FILE.exr` wrote it, is off. --out writes PREFIX-visibility.exr and
+// PREFIX-compared.exr (1 where pixels are compared), and --known-visibility reads one again instead of reckoning it.
 
 #include "renderer/core/error.hpp"
 #include "tests/truth/compare.hpp"
 #include "tests/truth/primary.hpp"
+#include "tests/truth/shadow_truth.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -26,7 +33,9 @@ struct Options {
     std::filesystem::path bake;
     std::vector<float> eye{0, 1.7f, 5}, target{0, 1.7f, 0};
     float fov = 60, near = -1;
-    std::string size = "1280x720", out, compare;
+    std::string size = "1280x720", out, compare, light, known_visibility;
+    int samples = 1;
+    std::vector<std::string> visibility;
 };
 
 /// A share below which a comparison is not met, of opaque and of masked pixels.
@@ -78,6 +87,26 @@ bool compare(const truth::PrimaryBuffers& truth, const std::filesystem::path& fo
     return met;
 }
 
+void compare_light(const Options& o, const truth::TruthScene& scene, const truth::PrimaryBuffers& primary)
+{
+    const Light light = parse_light(o.light);
+    const ImageF truth = o.known_visibility.empty() ? truth::cast_visibility(scene, primary, light, o.samples)
+                                                    : read_exr(o.known_visibility);
+    const truth::Mask mask = truth::lit_pixels(primary, light);
+    if (!o.out.empty()) {
+        ImageF compared(mask.width, mask.height, 1);
+        std::copy(mask.values.begin(), mask.values.end(), compared.values.begin());
+        write_exr(o.out + "-visibility.exr", truth);
+        write_exr(o.out + "-compared.exr", compared);
+    }
+    for (const std::string& file : o.visibility) {
+        const truth::VisibilityError e = truth::compare_visibility(truth, read_exr(file), mask);
+        fmt::print(
+            "{}: wrong {:.2f} %, RMSE {:.4f}; penumbra ({:.1f} %) RMSE {:.4f}, bias {:+.4f}; compared {:.1f} %\n", file,
+            100 * e.wrong, e.rmse, 100 * e.penumbra_share, e.penumbra_rmse, e.penumbra_bias, 100 * e.share);
+    }
+}
+
 int run(const Options& o)
 {
     const ivec2 size = parse_size(o.size);
@@ -94,6 +123,7 @@ int run(const Options& o)
         write_exr(o.out + "-geometric_normal.exr", truth.geometric_normal);
         write_exr(o.out + "-material.exr", truth.material);
     }
+    if (!o.light.empty()) compare_light(o, scene, truth);
     if (o.compare.empty()) return 0;
     return compare(truth, o.compare) ? 0 : static_cast<int>(ExitCode::check_failed);
 }
@@ -111,6 +141,10 @@ int main(int argc, char** argv)
     app.add_option("--near", o.near, "near plane, m; by default what the renderer chooses for the scene");
     app.add_option("--size", o.size, "WxH");
     app.add_option("--out", o.out, "write PREFIX-{depth,geometric_normal,material}.exr");
+    app.add_option("--light", o.light, "a light, as atrium takes it");
+    app.add_option("--samples", o.samples, "points of the light; 1: its centre");
+    app.add_option("--visibility", o.visibility, "the renderer's visibility.L of it, one or several files");
+    app.add_option("--known-visibility", o.known_visibility, "PREFIX-visibility.exr of a run before");
     app.add_option("--compare", o.compare, "folder of the renderer's {depth,geometric_normal,material}.exr");
     try {
         app.parse(argc, argv);

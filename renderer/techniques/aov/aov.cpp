@@ -77,6 +77,13 @@ graph::Tex add_ao_image(graph::Graph& g, const Aov& aov, const AovInputs& in)
     return add_unpacked(g, aov, in, aov.info->kind == shared::aov_ao ? in.ao : in.ao_raw, aov.info->kind);
 }
 
+graph::Tex add_shadow_image(graph::Graph& g, const Aov& aov, const AovInputs& in)
+{
+    const graph::Tex image =
+        in.shadow_image ? in.shadow_image(g, aov.light, aov.info->kind, pass_name(aov)) : graph::Tex{};
+    return image ? image : add_unpacked(g, aov, in, in.hdr, shared::aov_constant);
+}
+
 } // namespace
 
 graph::Tex add_aov(graph::Graph& g, const Aov& aov, const AovInputs& in, float exposure)
@@ -95,7 +102,10 @@ graph::Tex add_aov(graph::Graph& g, const Aov& aov, const AovInputs& in, float e
         return add_lighting(g, in.gbuffer, alone);
     case AovSource::ao:
         return add_ao_image(g, aov, in);
+    case AovSource::shadow:
+        return add_shadow_image(g, aov, in);
     case AovSource::light:
+        alone.visibility = in.visibility;
         alone.ambient = false;
         alone.first_light = in.lights.places[aov.light];
         alone.end_light = alone.first_light + 1;
@@ -106,18 +116,17 @@ graph::Tex add_aov(graph::Graph& g, const Aov& aov, const AovInputs& in, float e
     }
 }
 
-graph::Tex add_debug_view(graph::Graph& g, graph::Tex aov, const AovInfo& info, float scene_size)
+graph::Tex add_debug_view(graph::Graph& g, graph::Tex aov, const AovInfo& info, uvec2 size, float scene_size)
 {
-    graph::TexDesc desc = g.desc(aov);
-    desc.format = Format::rgba8_srgb;
-    const graph::Tex picture = g.texture("debug_view", desc);
+    const vec2 texels = vec2(g.desc(aov).width, g.desc(aov).height) / vec2(size);
+    const graph::Tex picture = g.texture("debug_view", {Format::rgba8_srgb, size.x, size.y});
     const bool whole_scene = info.low == info.high;
     const float low = whole_scene && info.channels == 3 ? -0.5f * scene_size : info.low;
     const float high = whole_scene ? (info.channels == 3 ? 0.5f : 1.0f) * scene_size : info.high;
     g.raster("debug_view")
         .reads(aov)
         .writes(picture)
-        .fullscreen("techniques/aov/debug_view.frag", {}, shared::DebugViewPush{info.view_mode, low, high});
+        .fullscreen("techniques/aov/debug_view.frag", {}, shared::DebugViewPush{info.view_mode, low, high, texels});
     return picture;
 }
 

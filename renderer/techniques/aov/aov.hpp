@@ -8,6 +8,7 @@
 #include "renderer/techniques/gbuffer/gbuffer.hpp"
 #include "renderer/techniques/lighting/lighting.hpp"
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -35,8 +36,9 @@ enum class AovSource : std::uint8_t {
     ambient,  ///< lighting by ambient light alone
     hdr,      ///< radiance before exposure
     overdraw, ///< a count made by a pass of its own
+    shadow,   ///< of a light that casts shadows; `kind`: shared::show_…
     ao,       ///< an image of ambient occlusion, where it is on
-    constant, ///< a technique that is off or does not exist yet: its background everywhere
+    constant, ///< a technique that is off: its background everywhere
 };
 
 struct AovInfo {
@@ -45,7 +47,7 @@ struct AovInfo {
     int channels; ///< 1, 2 or 3 of the image's four
     AovSource source;
     std::uint32_t kind;      ///< shared::aov_…
-    float background;        ///< of AovSource::constant
+    float background;        ///< where the technique is off
     std::uint32_t view_mode; ///< shared::view_…: how debug.view shows it
     float low, high;         ///< range shown; low == high: 0 to a scene's size
 };
@@ -71,12 +73,18 @@ struct AovInputs {
     DrawList occluders;
     Geometry geometry;
     LightOrder lights;
+    graph::Tex visibility; ///< of lights; none: no light casts shadows
+    /// Adds an image of a light's shadows, by the user's index and shared::show_…, in a pass of that name; an empty one
+    /// where the light casts none.
+    std::function<graph::Tex(graph::Graph&, std::uint32_t light, std::uint32_t shown, const std::string& pass)>
+        shadow_image;
 };
 
 /// Writes the AOV (R32F or RGBA32F; `channels` of them mean something), render size.
 [[nodiscard]] graph::Tex add_aov(graph::Graph& g, const Aov& aov, const AovInputs& in, float exposure);
 
-/// Shows an AOV's image as a picture (RGBA8 sRGB). `scene_size` is the range of distances, m.
-[[nodiscard]] graph::Tex add_debug_view(graph::Graph& g, graph::Tex aov, const AovInfo& info, float scene_size);
+/// Shows an AOV's image as a picture of `size` pixels (RGBA8 sRGB). `scene_size` is the range of distances, m.
+[[nodiscard]] graph::Tex add_debug_view(graph::Graph& g, graph::Tex aov, const AovInfo& info, uvec2 size,
+                                        float scene_size);
 
 } // namespace atrium

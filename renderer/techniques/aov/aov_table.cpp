@@ -4,6 +4,7 @@
 #include "renderer/core/nearest_name.hpp"
 #include "renderer/techniques/aov/aov.hpp"
 #include "shaders/shared/aov.h"
+#include "shaders/shared/shadow.h"
 
 #include <fmt/format.h>
 
@@ -16,7 +17,7 @@ namespace {
 using namespace shared;
 
 constexpr float inf = std::numeric_limits<float>::infinity();
-constexpr AovSource gbuffer = AovSource::gbuffer, constant = AovSource::constant;
+constexpr AovSource gbuffer = AovSource::gbuffer;
 
 constexpr std::array<AovInfo, 25> table{{
     {"depth", false, 1, gbuffer, aov_depth, 0, view_scalar, 0, 0},
@@ -37,11 +38,11 @@ constexpr std::array<AovInfo, 25> table{{
     {"ambient", false, 3, AovSource::ambient, 0, 0, view_color, 0, 1},
     {"hdr", false, 3, AovSource::hdr, aov_hdr, 0, view_color, 0, 1},
     {"overdraw", false, 1, AovSource::overdraw, 0, 0, view_scalar, 0, 8},
-    {"visibility", true, 1, constant, aov_constant, 1, view_scalar, 0, 1},
-    {"shadow_map", true, 1, constant, aov_constant, inf, view_scalar, 0, 0},
-    {"cascade", true, 1, constant, aov_constant, -1, view_index, 0, 1},
-    {"blocker", true, 1, constant, aov_constant, inf, view_scalar, 0, 0},
-    {"penumbra", true, 1, constant, aov_constant, 0, view_scalar, 0, 1},
+    {"visibility", true, 1, AovSource::shadow, show_visibility, 1, view_scalar, 0, 1},
+    {"shadow_map", true, 1, AovSource::shadow, show_map, inf, view_scalar, 0, 0},
+    {"cascade", true, 1, AovSource::shadow, show_cascade, -1, view_index, 0, 1},
+    {"blocker", true, 1, AovSource::shadow, show_blocker, inf, view_scalar, 0, 0},
+    {"penumbra", true, 1, AovSource::shadow, show_penumbra, 0, view_scalar, 0, 1},
     {"ao_raw", false, 1, AovSource::ao, aov_ao_raw, 1, view_scalar, 0, 1},
     {"ao", false, 1, AovSource::ao, aov_ao, 1, view_scalar, 0, 1},
 }};

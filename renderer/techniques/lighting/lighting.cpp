@@ -28,6 +28,7 @@ float strength(const Light& light)
 shared::GpuLight to_gpu(const Light& light, float exposure)
 {
     shared::GpuLight out{};
+    out.shadow_layer = shared::no_shadow_layer;
     out.type = static_cast<std::uint32_t>(light.type);
     out.position = light.position;
     const LightAxes axes = axes_of(light);
@@ -76,16 +77,19 @@ graph::Tex add_lighting(graph::Graph& g, const GBuffer& gb, const LightingTerms&
     const graph::Tex radiance = g.texture(terms.target, desc);
 
     const bool occluded = terms.ambient && terms.ao;
+    const char* shaders[2][2] = {
+        {"techniques/lighting/lighting.frag", "techniques/lighting/lighting_ao.frag"},
+        {"techniques/lighting/lighting_shadows.frag", "techniques/lighting/lighting_ao_shadows.frag"}};
     const std::uint32_t flags = (terms.ambient ? shared::term_ambient : 0u) |
                                 (terms.emission ? shared::term_emission : 0u) |
                                 (terms.multi_bounce ? shared::term_multi_bounce : 0u);
     graph::PassBuilder pass = g.raster(terms.pass);
     reads(pass, gb);
     if (occluded) pass.reads(terms.ao);
+    if (terms.visibility) pass.reads(terms.visibility);
     const bool unroll = terms.first_light == 0 && terms.end_delta <= max_unrolled_lights;
     pass.writes(radiance).fullscreen(
-        occluded ? "techniques/lighting/lighting_ao.frag" : "techniques/lighting/lighting.frag",
-        {unroll ? terms.end_delta : 0},
+        shaders[terms.visibility ? 1 : 0][occluded ? 1 : 0], {unroll ? terms.end_delta : 0},
         shared::LightingPush{terms.first_light, terms.end_delta, terms.end_light, flags, terms.scale});
     return radiance;
 }

@@ -43,14 +43,16 @@ struct LightingTerms {
     std::uint32_t first_light = 0, end_delta = 0, end_light = 0; ///< places: [first, end_delta), [end_delta, end_light)
     bool ambient = true, emission = true;
     graph::Tex ao;             ///< what of the ambient light reaches a pixel; none: all of it
+    graph::Tex visibility;     ///< a layer for each light with a shadow_layer; none: all are seen
     bool multi_bounce = false; ///< where it reaches little, bright surfaces hand it on
     float scale = 1;
     gpu::Format format = gpu::Format::rgba16_float;
     std::string pass = "lighting", target = "hdr";
 };
 
-/// Reads  the G-buffer, ambient occlusion where there is any.  Writes  radiance x exposure (RGBA16F by default, 0 where
-/// there is no geometry). Source: the field's standard split; BRDF and falloff: shaders/lib/brdf.glsl, lights.glsl.
+/// Reads  the G-buffer, ambient occlusion and visibility of lights where there are any.  Writes  radiance x exposure
+/// (RGBA16F by default, 0 where there is no geometry). Source: the field's standard split; BRDF and falloff:
+/// shaders/lib/brdf.glsl, lights.glsl.
 [[nodiscard]] graph::Tex add_lighting(graph::Graph& g, const GBuffer& gb, const LightingTerms& terms);
 
 } // namespace atrium

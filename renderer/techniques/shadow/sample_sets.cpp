@@ -163,4 +163,20 @@ std::vector<vec2> square_samples(int count, std::uint64_t seed)
     return {points.begin(), points.end()};
 }
 
+void even_out_radii(std::vector<vec2>& disc)
+{
+    constexpr float share = 0.7f; // all of the way would bring points too close to each other
+    std::vector<std::size_t> by_radius(disc.size());
+    std::iota(by_radius.begin(), by_radius.end(), std::size_t{0});
+    std::stable_sort(by_radius.begin(), by_radius.end(), [&](std::size_t a, std::size_t b) {
+        return glm::dot(disc[a], disc[a]) < glm::dot(disc[b], disc[b]);
+    });
+    for (std::size_t i = 0; i < by_radius.size(); ++i) {
+        vec2& p = disc[by_radius[i]];
+        const float radius = std::max(glm::length(p), 1e-6f);
+        const float even = std::sqrt((static_cast<float>(i) + 0.5f) / static_cast<float>(disc.size()));
+        p *= (share * even + (1 - share) * radius) / radius;
+    }
+}
+
 } // namespace atrium

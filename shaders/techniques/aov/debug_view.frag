@@ -19,7 +19,7 @@ vec3 index_color(float index)
 
 void main()
 {
-    vec4 v = texelFetch(source, ivec2(gl_FragCoord.xy), 0);
+    vec4 v = texelFetch(source, ivec2(gl_FragCoord.xy * push.texels), 0);
     vec4 ranged = clamp((v - push.low) / (push.high - push.low), 0.0, 1.0);
     vec3 c = ranged.rgb;
     if (push.mode == view_scalar) c = ranged.rrr;

@@ -3,6 +3,8 @@
 #extension GL_GOOGLE_include_directive : require
 #include "lib/gbuffer.glsl"
 
+layout(constant_id = 0) const uint visibility_layers = 0;
+layout(PASS_IMAGE(6)) uniform texture2DArray visibility; // where there are layers
 layout(location = 0) out vec4 out_radiance;
 
 void main()
@@ -13,5 +15,7 @@ void main()
     uint id = texelFetch(gbuffer_id, pixel, 0).x;
     uint emission = texelFetch(gbuffer_emission, pixel, 0).x;
     float depth = texelFetch(gbuffer_depth, pixel, 0).x;
-    out_radiance = albedo + vec4(uintBitsToFloat(normals), depth, uintBitsToFloat(id ^ emission));
+    float seen = 0.0;
+    for (uint i = 0u; i < visibility_layers; ++i) seen += texelFetch(visibility, ivec3(pixel, i), 0).x;
+    out_radiance = albedo + vec4(uintBitsToFloat(normals), depth + seen, uintBitsToFloat(id ^ emission));
 }

@@ -26,6 +26,17 @@ vec3 ambient_reach(ivec2 pixel, vec3 albedo)
 vec3 ambient_reach(ivec2 pixel, vec3 albedo) { return vec3(1.0); }
 #endif
 
+#ifdef SHADOWS
+layout(PASS_IMAGE(SHADOWS)) uniform texture2DArray visibility_images;
+
+float visibility_of(uint layer, ivec2 pixel)
+{
+    return layer == no_shadow_layer ? 1.0 : texelFetch(visibility_images, ivec3(pixel, layer), 0).x;
+}
+#else
+float visibility_of(uint layer, ivec2 pixel) { return 1.0; }
+#endif
+
 /// Light from all around, coloured by the hemisphere: L = albedo (1 - metallic) ambient, as far as it reaches.
 vec3 ambient_light(ivec2 pixel, Surface s)
 {
@@ -49,11 +60,17 @@ void main()
 
     vec3 sum = vec3(0.0);
     if (unrolled_lights > 0u) {
-        for (uint i = 0u; i < unrolled_lights; ++i) sum += shade_delta(frame.lights[i], p, s.normal, v, b);
+        for (uint i = 0u; i < unrolled_lights; ++i) {
+            sum += shade_delta(frame.lights[i], p, s.normal, v, b) * visibility_of(frame.lights[i].shadow_layer, pixel);
+        }
     } else {
-        for (uint i = push.first_light; i < push.end_delta; ++i) sum += shade_delta(frame.lights[i], p, s.normal, v, b);
+        for (uint i = push.first_light; i < push.end_delta; ++i) {
+            sum += shade_delta(frame.lights[i], p, s.normal, v, b) * visibility_of(frame.lights[i].shadow_layer, pixel);
+        }
     }
-    for (uint i = push.end_delta; i < push.end_light; ++i) sum += shade_rect(frame.lights[i], p, s.normal, v, b);
+    for (uint i = push.end_delta; i < push.end_light; ++i) {
+        sum += shade_rect(frame.lights[i], p, s.normal, v, b) * visibility_of(frame.lights[i].shadow_layer, pixel);
+    }
     if ((push.terms & term_ambient) != 0u) sum += ambient_light(pixel, s);
     if ((push.terms & term_emission) != 0u) sum += unpack_rgb9e5(texelFetch(gbuffer_emission, pixel, 0).x);
     out_radiance = vec4(sum * push.scale, 1.0);

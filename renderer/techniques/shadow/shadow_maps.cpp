@@ -1,0 +1,363 @@
+#include "renderer/techniques/shadow/shadow_maps.hpp"
+
+#include "renderer/materials/material_class.hpp"
+#include "renderer/techniques/shadow/light_points.hpp"
+#include "renderer/techniques/shadow/sample_sets.hpp"
+#include "shaders/shared/culling.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <numeric>
+
+namespace atrium {
+namespace {
+
+using gpu::Access;
+
+constexpr std::uint64_t sample_seed = 213; // the filter's, the next, is among the most even of 300 at 8 to 64 samples
+constexpr std::uint32_t reference_passes = 3600; ///< of all that a frame may have
+constexpr std::uint64_t reference_face_bytes =
+    reference_passes / 2 * shared::shadow_max_faces * sizeof(shared::ShadowFace);
+
+std::uint32_t cells_along(std::uint32_t side)
+{
+    return std::bit_ceil((side + shared::shadow_cell - 1) / shared::shadow_cell);
+}
+
+std::uint32_t face_count(const Light& light, const ShadowSettings& s)
+{
+    switch (light.type) {
+    case LightType::sun:
+        return static_cast<std::uint32_t>(s.cascades);
+    case LightType::spot:
+        return 1;
+    case LightType::point:
+        return 6;
+    case LightType::rect:
+        return 5;
+    }
+    return 1;
+}
+
+/// Radius for which a filter looks around, m.
+float extent_of(const Light& light, const ShadowSettings& s)
+{
+    return s.filter == ShadowFilter::pcss ? light_extent(light, s.softness) : 0;
+}
+
+/// The resolution asked for, halved until all maps fit into the budget and each into an image.
+std::uint32_t affordable_side(std::span<const Light> lights, std::span<const std::uint32_t> shadowed,
+                              const ShadowSettings& s, std::uint32_t widest_image)
+{
+    std::uint64_t faces = 0;
+    std::uint32_t most = 1;
+    for (const std::uint32_t i : shadowed) {
+        const std::uint32_t own = face_count(lights[i], s);
+        faces += own;
+        most = std::max(most, own);
+    }
+    auto side = static_cast<std::uint32_t>(s.resolution);
+    const std::uint64_t budget = static_cast<std::uint64_t>(s.budget) << 20;
+    while (side > 64 && (faces * side * side * sizeof(float) > budget || most * side > widest_image)) side /= 2;
+    return side;
+}
+
+bool same(const shared::ShadowFace& a, const shared::ShadowFace& b)
+{
+    return a.x == b.x && a.y == b.y && a.z == b.z && a.scale == b.scale;
+}
+
+gpu::Buffer make_buffer(const gpu::Device& device, const char* name, std::uint64_t bytes)
+{
+    return {device, name, bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::MemoryUse::upload};
+}
+
+template <class T>
+void write(gpu::Buffer& buffer, const std::vector<T>& items)
+{
+    std::memcpy(buffer.mapped().data(), items.data(), items.size() * sizeof(T));
+    buffer.flush();
+}
+
+/// The pipeline that draws casters of a class.
+gpu::GraphicsPipelineDesc caster_pipeline(const MaterialClassInfo& cls, const Geometry& geometry)
+{
+    gpu::GraphicsPipelineDesc desc;
+    desc.vertex = cls.has_holes ? "techniques/shadow/shadow_holes.vert" : "techniques/shadow/shadow.vert";
+    if (cls.has_holes) desc.fragment = class_fragment("techniques/shadow/shadow", cls);
+    desc.input = gpu::VertexInput::scene;
+    desc.depth_test = gpu::DepthTest::greater_equal;
+    desc.depth_write = true;
+    desc.constants = {geometry.materials_diverge ? 1u : 0u};
+    return desc;
+}
+
+} // namespace
+
+void ShadowMaps::resize(Slot& slot, std::uint32_t side, std::uint32_t faces)
+{
+    if (slot.map.handle() && slot.map.desc().width == side * faces && slot.map.desc().height == side) return;
+    const std::uint64_t cells = cells_along(side);
+    slot = {};
+    slot.map = gpu::Image(device_, "shadow map",
+                          {gpu::Format::depth32, side * faces, side, 1, 1,
+                           VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT});
+    slot.ranges =
+        gpu::Buffer(device_, "shadow depth ranges", faces * cells * cells * 4 / 3 * sizeof(vec2) + sizeof(vec2),
+                    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::MemoryUse::device);
+}
+
+void ShadowMaps::write_samples(int blocker_samples, int samples)
+{
+    if (blocker_samples == blocker_samples_ && samples == samples_) return;
+    blocker_samples_ = blocker_samples;
+    samples_ = samples;
+    const auto both = [&](auto make) {
+        std::vector<vec4> all; // with their distances from the middle, and one over those
+        for (const auto& [count, seed] : {std::pair{blocker_samples, sample_seed}, {samples, sample_seed + 1}}) {
+            for (const vec2& s : make(count, seed)) {
+                const float rim = glm::length(s);
+                all.emplace_back(s, rim, 1 / std::max(rim, 1e-3f));
+            }
+        }
+        return all;
+    };
+    const std::vector<vec4> disc = both([](int count, std::uint64_t seed) {
+        std::vector<vec2> set = disc_samples(count, seed);
+        even_out_radii(set);
+        return set;
+    });
+    std::vector<vec4> square = both(square_samples);
+    for (vec4& s : square) s = s * 0.5f + 0.5f; // 0 to 1: shifted there
+    disc_samples_ = make_buffer(device_, "disc samples", disc.size() * sizeof(vec4));
+    square_samples_ = make_buffer(device_, "square samples", square.size() * sizeof(vec4));
+    write(disc_samples_, disc);
+    write(square_samples_, square);
+}
+
+void ShadowMaps::write_faces(const std::vector<LightFaces>& all)
+{
+    std::vector<shared::ShadowFace> table;
+    for (const LightFaces& own : all) table.insert(table.end(), own.faces.begin(), own.faces.end());
+    const std::uint64_t bytes = table.size() * sizeof(shared::ShadowFace);
+    if (faces_.size() < bytes) faces_ = make_buffer(device_, "shadow faces", bytes);
+    write(faces_, table);
+}
+
+namespace {
+
+/// One tile of a map to be drawn: its face, and where the commands of its casters begin.
+struct Tile {
+    std::uint32_t index = 0;
+    shared::ShadowFace face{};
+    std::uint32_t first_command = 0;
+};
+
+/// Draws tiles of a map, whatever way their casters face. Those not named stay as they are.
+void add_tiles(graph::Graph& g, const std::string& name, const ShadowCasters& casters, const ShadowMap& map,
+               graph::Buf commands, const std::vector<Tile>& tiles)
+{
+    graph::PassBuilder pass = g.raster(name);
+    const bool all = tiles.size() == map.face_count;
+    pass.reads(commands, Access::indirect_read).depth(map.map, all ? graph::Load::clear : graph::Load::keep, 0);
+    const DrawRange* previous = nullptr;
+    for (const DrawRange& range : casters.tasks.ranges) {
+        if (previous && previous->cls == range.cls) continue;
+        pass.pipeline(
+            caster_pipeline(material_classes[static_cast<std::size_t>(draw_rank(range.cls))], casters.geometry));
+        previous = &range;
+    }
+    pass.record([=, side = map.side, perspective = map.perspective ? 1u : 0u, depth_scale = map.depth_scale,
+                 ranges = casters.tasks.ranges, geometry = casters.geometry](graph::Cmd& cmd) {
+        cmd.bind_geometry(*geometry.vertices, *geometry.indices);
+        for (const Tile& tile : tiles) {
+            const uvec2 origin(tile.index * side, 0);
+            cmd.viewport(origin, uvec2(side));
+            if (!all) cmd.clear_depth(origin, uvec2(side), 0);
+            const DrawRange* last = nullptr;
+            std::size_t pipeline = 0;
+            for (const DrawRange& range : ranges) {
+                if (!last || last->cls != range.cls) cmd.bind(pipeline++);
+                cmd.push(shared::ShadowDrawPush{tile.face, perspective, depth_scale});
+                cmd.draw_indexed_indirect(commands, tile.first_command + range.first, range.count);
+                last = &range;
+            }
+        }
+    });
+}
+
+/// What may cast into tiles, for a light that stands up to `extent` m elsewhere.
+graph::Buf add_caster_culling(graph::Graph& g, const std::string& name, const ShadowCasters& casters,
+                              const ShadowMap& map, const std::vector<Tile>& tiles, float range, float extent)
+{
+    const std::uint32_t count = casters.tasks.count;
+    const graph::Buf commands =
+        g.buffer(name + ".commands", std::max<std::uint64_t>(tiles.size() * count, 1) * sizeof(shared::DrawCommand));
+    g.compute(name + ".cull")
+        .writes(commands)
+        .pipeline(gpu::ComputePipelineDesc{"techniques/shadow/shadow_cull.comp", {}})
+        .record([=, perspective = map.perspective ? 1u : 0u](graph::Cmd& cmd) {
+            cmd.bind();
+            for (const Tile& tile : tiles) {
+                cmd.push(shared::ShadowCullPush{tile.face, perspective, range, count, tile.first_command, extent});
+                cmd.dispatch(count, shared::shadow_group_size);
+            }
+        });
+    return commands;
+}
+
+void add_depth_ranges(graph::Graph& g, const std::string& name, const ShadowMap& map)
+{
+    const auto levels = static_cast<std::uint32_t>(std::bit_width(map.cells));
+    for (std::uint32_t level = 0; level < levels; ++level) {
+        const shared::DepthRangePush push{map.side, map.face_count, level, map.cells};
+        graph::PassBuilder pass = g.compute(fmt::format("{}.ranges.{}", name, level));
+        if (level == 0)
+            pass.reads(map.map).writes(map.ranges);
+        else
+            pass.updates(map.ranges);
+        pass
+            .pipeline(gpu::ComputePipelineDesc{
+                level == 0 ? "techniques/shadow/depth_range_base.comp" : "techniques/shadow/depth_range.comp", {}})
+            .record([push](graph::Cmd& cmd) {
+                const std::uint32_t along = push.cells >> push.level;
+                cmd.bind();
+                cmd.push(push);
+                cmd.dispatch(push.faces * along * along, shared::shadow_group_size);
+            });
+    }
+}
+
+std::vector<Tile> tiles_of(const LightFaces& faces, const std::vector<std::uint32_t>& which, std::uint32_t task_count)
+{
+    std::vector<Tile> tiles;
+    for (const std::uint32_t f : which)
+        tiles.push_back({f, faces.faces[f], static_cast<std::uint32_t>(tiles.size()) * task_count});
+    return tiles;
+}
+
+/// A map as the shaders know it.
+ShadowMap describe_map(std::uint32_t light, const LightFaces& faces, std::uint32_t side, std::uint32_t first_face)
+{
+    ShadowMap map;
+    map.light = light;
+    map.side = side;
+    map.cells = cells_along(side);
+    map.first_face = first_face;
+    map.face_count = static_cast<std::uint32_t>(faces.faces.size());
+    map.perspective = faces.perspective;
+    map.depth_scale = faces.depth_scale;
+    map.near = faces.near;
+    map.scale = faces.faces.front().scale;
+    return map;
+}
+
+} // namespace
+
+ShadowMapSet ShadowMaps::add(graph::Graph& g, const ShadowCasters& casters, std::span<const Light> lights,
+                             const Camera& camera, float aspect, const ShadowSettings& s)
+{
+    const std::vector<std::uint32_t> shadowed = shadowed_lights(lights, s);
+    slots_.resize(shadowed.size());
+    ShadowMapSet out;
+    if (shadowed.empty()) return out;
+    const std::uint32_t side = affordable_side(lights, shadowed, s, device_.report().widest_image);
+    std::vector<LightFaces> all;
+    for (const std::uint32_t i : shadowed)
+        all.push_back(
+            light_faces(lights[i], casters.bounds, {camera, aspect, s.cascades, side}, extent_of(lights[i], s)));
+    write_faces(all);
+    write_samples(s.blocker_samples, s.samples);
+    out.faces = g.import("shadow.faces", faces_);
+    out.disc_samples = g.import("shadow.disc_samples", disc_samples_);
+    out.square_samples = g.import("shadow.square_samples", square_samples_);
+
+    std::uint32_t first_face = 0;
+    for (std::size_t k = 0; k < shadowed.size(); ++k) {
+        const Light& light = lights[shadowed[k]];
+        const LightFaces& faces = all[k];
+        const auto count = static_cast<std::uint32_t>(faces.faces.size());
+        Slot& slot = slots_[k];
+        resize(slot, side, count);
+        const bool keeps = s.cache && slot.drawn.faces.size() == count && slot.drawn.perspective == faces.perspective &&
+                           slot.drawn.depth_scale == faces.depth_scale && slot.range == light.range &&
+                           slot.texture_state == casters.texture_state;
+        std::vector<std::uint32_t> stale;
+        for (std::uint32_t f = 0; f < count; ++f) {
+            if (!keeps || !same(slot.drawn.faces[f], faces.faces[f])) stale.push_back(f);
+        }
+        const std::string name = fmt::format("shadow.{}", shadowed[k]);
+        ShadowMap map = describe_map(shadowed[k], faces, side, first_face);
+        map.map = g.import(name, slot.map, slot.used ? Access::sampled_fragment : Access::none);
+        map.ranges = g.import(name + ".ranges", slot.ranges, slot.used ? Access::sampled_fragment : Access::none);
+        g.keep(map.map, Access::sampled_fragment);
+        g.keep(map.ranges, Access::sampled_fragment);
+        if (!stale.empty()) {
+            const std::vector<Tile> tiles = tiles_of(faces, stale, casters.tasks.count);
+            add_tiles(g, name, casters, map, add_caster_culling(g, name, casters, map, tiles, light.range, 0), tiles);
+            add_depth_ranges(g, name, map);
+        }
+        slot.drawn = faces;
+        slot.range = light.range;
+        slot.texture_state = casters.texture_state;
+        slot.used = true;
+        first_face += count;
+        out.maps.push_back(map);
+    }
+    return out;
+}
+
+graph::Tex ShadowMaps::add_reference(graph::Graph& g, const GBuffer& gb, const ShadowCasters& casters,
+                                     std::span<const Light> lights, const Camera& camera, float aspect,
+                                     const ShadowMapSet& set, const ShadowSettings& s)
+{
+    if (set.maps.empty()) return {};
+    const auto light_count = static_cast<std::uint32_t>(set.maps.size());
+    const std::uint32_t points = std::clamp(static_cast<std::uint32_t>(s.reference_points), 1u,
+                                            std::max(reference_passes / (2 * light_count), 1u));
+    const graph::Tex visibility = create_visibility(g, gb, light_count);
+    ShadowSettings hard = s;
+    hard.filter = ShadowFilter::hard;
+    const float weight = 1 / static_cast<float>(points);
+
+    std::vector<shared::ShadowFace> table;
+    ShadowMapSet moved_set = set;
+    if (!reference_faces_.handle() || reference_faces_.size() < reference_face_bytes)
+        reference_faces_ = make_buffer(device_, "reference shadow faces", reference_face_bytes);
+    moved_set.faces = g.import("shadow.reference.faces", reference_faces_);
+    for (std::uint32_t k = 0; k < light_count; ++k) {
+        const std::uint32_t index = set.maps[k].light, side = set.maps[k].side;
+        const Light& light = lights[index];
+        const std::string name = fmt::format("shadow.{}.reference", index);
+        const graph::Tex map_image = g.texture(name, {gpu::Format::depth32, side * set.maps[k].face_count, side});
+        const float extent = light_extent(light, s.softness);
+        const CascadeFit fit{camera, aspect, s.cascades, side};
+        std::vector<std::uint32_t> every(set.maps[k].face_count);
+        std::iota(every.begin(), every.end(), 0u);
+        graph::Buf commands;
+        for (std::uint32_t p = 0; p < points; ++p) {
+            const Light moved = at_point(light, s.softness, p);
+            const LightFaces faces = light_faces(moved, casters.bounds, fit, 0);
+            ShadowMap map = describe_map(index, faces, side, static_cast<std::uint32_t>(table.size()));
+            map.map = map_image;
+            map.ranges = set.maps[k].ranges;
+            table.insert(table.end(), faces.faces.begin(), faces.faces.end());
+            const std::vector<Tile> tiles = tiles_of(faces, every, casters.tasks.count);
+            if (p == 0) {
+                const float reach = light.type == LightType::sun ? 2 * extent * casters.bounds.diagonal() : 2 * extent;
+                commands = add_caster_culling(g, name, casters, map, tiles, light.range, reach);
+            }
+            add_tiles(g, name, casters, map, commands, tiles);
+            add_visibility(g, gb, moved_set, map, moved, hard, shared::show_visibility,
+                           {fmt::format("visibility.{}", index), visibility, k,
+                            p == 0 ? graph::Load::clear : graph::Load::keep, weight, light.position});
+        }
+    }
+    write(reference_faces_, table);
+    return visibility;
+}
+
+} // namespace atrium

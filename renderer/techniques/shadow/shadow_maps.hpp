@@ -1,0 +1,53 @@
+#pragma once
+// The maps themselves: drawn by the passes `shadow.L`, kept from frame to frame.
+
+#include "renderer/techniques/culling/culling.hpp"
+#include "renderer/techniques/shadow/shadow.hpp"
+
+namespace atrium {
+
+/// What shadow maps of a frame are drawn from.
+struct ShadowCasters {
+    DrawTasks tasks;
+    Geometry geometry;
+    Bounds bounds;
+    vec2 texture_state{0}; ///< changes when textures are read differently, and so the holes of masks
+};
+
+/// The shadow maps of a scene's lights, on the device. Of one scene: forget() when it changes.
+class ShadowMaps {
+public:
+    explicit ShadowMaps(const gpu::Device& device) : device_(device) {}
+
+    /// Brings the maps of the lights that cast shadows into a frame's graph, which must run before the next call. Draws
+    /// those faces that are not as they were drawn last: passes `shadow.L.cull`, `shadow.L`, `shadow.L.ranges.N`.
+    [[nodiscard]] ShadowMapSet add(graph::Graph& g, const ShadowCasters& casters, std::span<const Light> lights,
+                                   const Camera& camera, float aspect, const ShadowSettings& s);
+    /// Visibility as the mean of hard shadows from many points of each light of the set: a map for each, drawn and
+    /// looked at in turn. Passes `shadow.L.reference`, `visibility.L`.
+    [[nodiscard]] graph::Tex add_reference(graph::Graph& g, const GBuffer& gb, const ShadowCasters& casters,
+                                           std::span<const Light> lights, const Camera& camera, float aspect,
+                                           const ShadowMapSet& set, const ShadowSettings& s);
+    /// Nothing counts as drawn any more.
+    void forget() { slots_.clear(); }
+
+private:
+    struct Slot {
+        gpu::Image map;
+        gpu::Buffer ranges;
+        LightFaces drawn;
+        float range = 0;
+        vec2 texture_state{0};
+        bool used = false; ///< by a frame before
+    };
+    void resize(Slot& slot, std::uint32_t side, std::uint32_t faces);
+    void write_samples(int blocker_samples, int samples);
+    void write_faces(const std::vector<LightFaces>& all);
+
+    const gpu::Device& device_;
+    std::vector<Slot> slots_;
+    gpu::Buffer faces_, disc_samples_, square_samples_, reference_faces_;
+    int blocker_samples_ = 0, samples_ = 0; ///< in the buffers
+};
+
+} // namespace atrium

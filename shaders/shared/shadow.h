@@ -1,0 +1,82 @@
+// Shadow maps: the faces from which a light sees, and what the passes over them are told.
+#ifndef SHARED_SHADOW_H
+#define SHARED_SHADOW_H
+#include "types.h"
+SHARED_BEGIN
+
+const uint shadow_max_faces = 6; // of a light: a cube's, or as many cascades
+const uint shadow_cell = 8;      // texels along the side of a cell of the finest level of depth ranges
+const uint shadow_group_size = 64;
+
+/// One square view from a light. A world point p (m) has the map coordinate (x, y) / w, -1 to 1 across the tile, x right
+/// and y up; w is z for lights with a place and 1 for the sun.
+struct ShadowFace {
+    vec4 x; // dot(x, (p, 1))
+    vec4 y;
+    vec4 z;      // distance along the face's axis, m; sun: from the near side of the scene
+    float scale; // half the tile's side: tangent of half the angle; sun: m
+};
+
+/// Depth is reversed: near / z for lights with a place; sun: 1 - z / reach.
+struct ShadowCullPush {
+    ShadowFace face;
+    uint perspective;
+    float range; // m; 0: none
+    uint count;  // of draw tasks
+    uint first;  // where the face's commands begin
+    float extent; // m by which the light may stand elsewhere (sun: the scene's far end)
+};
+
+struct ShadowDrawPush {
+    ShadowFace face;
+    uint perspective;
+    float depth_scale; // near or reach, m
+};
+
+struct DepthRangePush {
+    uint side;  // texels along a tile
+    uint faces;
+    uint level; // to be written
+    uint cells; // along a tile in level 0: a power of two
+};
+
+const uint shadow_hard = 0, shadow_pcf = 1, shadow_pcss = 2; // filters
+// What can be looked at: the shader of visibility writes the first four.
+const uint show_visibility = 0, show_blocker = 1, show_penumbra = 2, show_cascade = 3, show_map = 4;
+
+struct VisibilityPush {
+    vec3 position;           // m; not of a sun
+    float near;              // m: depth is near / z; sun: where it is 1, along its axis
+    vec3 right;              // the light's own axes; a point light's are the world's
+    float scale;             // ShadowFace::scale where it has a place
+    vec3 up;
+    float height_per_spread; // see receiver.glsl: near, or 1 / reach of a sun
+    vec3 front;              // where the light travels
+    float cos_outer;         // spot
+    float size;              // radius, m; sun: tangent of its angular radius
+    float range;             // m; 0: none
+    float half_width;        // rect, m
+    float half_height;
+    float side;              // texels along a tile
+    float radius;            // pcf: of the disc, texels
+    uint faces;
+    uint first_face;         // in the table of faces
+    uint cells;              // DepthRangePush::cells
+    float bias_normal;       // texels along the normal
+    float bias_slope;        // texels of the receiver's slope
+    uint receiver_plane;
+    float weight;            // of what is written
+    vec3 from_centre;        // m, light space: where the light stands apart from the centre whose reach it has
+};
+
+struct ShadowMapPush { // aov shadow_map
+    uint perspective;
+    float depth_scale;
+};
+
+SHARED_END
+#ifdef __cplusplus
+static_assert(sizeof(atrium::shared::ShadowFace) == 52);
+static_assert(sizeof(atrium::shared::VisibilityPush) <= 128);
+#endif
+#endif

@@ -1,0 +1,4 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "materials/masked.glsl"
+#include "techniques/shadow/shadow_holes.glsl"
