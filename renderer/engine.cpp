@@ -3,6 +3,7 @@
 #include "renderer/core/error.hpp"
 #include "renderer/core/log.hpp"
 #include "renderer/frame_constants.hpp"
+#include "renderer/techniques/lighting/ltc_table.hpp"
 
 #include <fmt/format.h>
 
@@ -108,9 +109,13 @@ struct Engine::State {
           descriptors(device), pipelines(device, descriptors, o.shaders, o.cache_folder),
           runner(device, descriptors, pipelines), readbacks(device), shadow_maps(device),
           constants(device, "frame constants", sizeof(shared::FrameConstants), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
-                    gpu::MemoryUse::upload)
+                    gpu::MemoryUse::upload),
+          ltc(device, "ltc", ltc_table().size_bytes(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::MemoryUse::upload)
     {
         descriptors.set_frame_buffer(gpu::FrameBinding::constants, constants);
+        std::memcpy(ltc.mapped().data(), ltc_table().data(), ltc_table().size_bytes());
+        ltc.flush();
+        descriptors.set_frame_buffer(gpu::FrameBinding::ltc, ltc);
     }
     EngineOptions options;
     gpu::Instance instance;
@@ -121,6 +126,7 @@ struct Engine::State {
     Readbacks readbacks;
     ShadowMaps shadow_maps;
     gpu::Buffer constants;
+    gpu::Buffer ltc; ///< the table of area lights
     std::unique_ptr<GpuScene> scene;
     std::optional<SeenTriangles> seen; ///< of the scene, once a frame was to be remembered
     std::unique_ptr<Renderer> renderer;

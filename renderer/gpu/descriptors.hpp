@@ -20,7 +20,7 @@ using TextureSlot = std::uint32_t;
 enum class SamplerSlot : std::uint32_t { material, material_clamp, linear_clamp, nearest_clamp, shadow, count };
 
 /// The buffers of set 1, by binding.
-enum class FrameBinding : std::uint32_t { constants, materials, records, clusters, draw_tasks, draw_order, vertices, indices, count };
+enum class FrameBinding : std::uint32_t { constants, materials, records, clusters, draw_tasks, draw_order, vertices, indices, ltc, count };
 
 struct PassImage {
     VkImageView view = VK_NULL_HANDLE;

@@ -30,18 +30,27 @@ Brdf make_brdf(vec3 base_color, float metallic, float roughness, float specular,
     return b;
 }
 
-/// Specular lobe f_s; n_l > 0 and v_l are cosines of the light to normal and eye.
-vec3 brdf_specular(Brdf b, float n_l, float v_l)
+/// D V, and D V (1 - v.h)^5: the specular lobe but for f0 and f90. cos2_h and sin2_h are those of the half vector to the
+/// normal: where both are known well, so is the peak of a smooth surface.
+vec2 brdf_specular_parts(Brdf b, float n_l, float cos2_h, float sin2_h, float v_h)
 {
-    float inv_h = inversesqrt(max(2.0 + 2.0 * v_l, 1e-8)); // 1 / |v + l|
-    float n_h = clamp((n_l + b.n_v) * inv_h, 0.0, 1.0);
-    float v_h = (1.0 + v_l) * inv_h;
-    float d = (n_h * b.alpha2 - n_h) * n_h + 1.0;
+    float d = cos2_h * b.alpha2 + sin2_h;
     float g_l = sqrt(n_l * n_l * (1.0 - b.alpha2) + b.alpha2);
     float dv = b.alpha2 / (2.0 * brdf_pi * d * d * (n_l * b.g_v + b.n_v * g_l));
     float f = 1.0 - v_h;
     float f2 = f * f;
-    return (b.f0 + (vec3(b.f90) - b.f0) * (f2 * f2 * f)) * dv;
+    return vec2(dv, dv * (f2 * f2 * f));
+}
+
+/// What the parts, or sums of them, are together.
+vec3 brdf_specular_sum(Brdf b, vec2 parts) { return b.f0 * parts.x + (vec3(b.f90) - b.f0) * parts.y; }
+
+/// Specular lobe f_s; n_l > 0 and v_l are cosines of the light to normal and eye.
+vec3 brdf_specular(Brdf b, float n_l, float v_l)
+{
+    float inv_h = inversesqrt(max(2.0 + 2.0 * v_l, 1e-8)); // 1 / |v + l|
+    float n_h = clamp((n_l + b.n_v) * inv_h, 0.0, 1.0), cos2_h = n_h * n_h;
+    return brdf_specular_sum(b, brdf_specular_parts(b, n_l, cos2_h, 1.0 - cos2_h, (1.0 + v_l) * inv_h));
 }
 
 /// Both lobes.
