@@ -17,8 +17,8 @@ struct Sample {
     double weight;  ///< solid angle, sr
 };
 
-/// Half the hemisphere (the lobe is symmetric in y), placed as the microfacets' normals are: as many near the peak as in
-/// the tail, at every roughness.
+/// Half the hemisphere (the lobe is symmetric in y), placed as the microfacets' normals are: as many near the peak as
+/// in the tail, at every roughness.
 std::vector<Sample> sample_lobe(double roughness, double n_v)
 {
     constexpr int rings = 64, sectors = 48;
@@ -35,7 +35,8 @@ std::vector<Sample> sample_lobe(double roughness, double n_v)
             const glm::dvec3 l = 2 * v_h * h - v;
             if (v_h <= 0 || l.z <= 0) continue;
             const double d = cosine * cosine * (a2 - 1) + 1;
-            const double smith = l.z * std::sqrt(n_v * n_v * (1 - a2) + a2) + n_v * std::sqrt(l.z * l.z * (1 - a2) + a2);
+            const double smith =
+                l.z * std::sqrt(n_v * n_v * (1 - a2) + a2) + n_v * std::sqrt(l.z * l.z * (1 - a2) + a2);
             out.push_back({l, a2 / (2 * pi_d * d * d * smith) * l.z, std::pow(1 - v_h, 5),
                            4 * v_h * cosine * tangent * d_theta * (2 * pi_d / sectors)});
         }
@@ -63,8 +64,8 @@ Misfit misfit(const std::vector<Sample>& samples, const Shape& shape)
         const double a = (s.l.x - shape.z * s.l.z) * inv_along, b = s.l.y * inv_across;
         const double length2 = a * a + b * b + s.l.z * s.l.z, w = s.lobe * s.weight;
         const double log_g = std::log(s.l.z) - shape.x - shape.y - 2 * std::log(length2);
-        const glm::dvec3 d_log_g = glm::dvec3(4 * a * a, 4 * b * b, 4 * a * s.l.z * inv_along) / length2 -
-                                   glm::dvec3(1, 1, 0);
+        const glm::dvec3 d_log_g =
+            glm::dvec3(4 * a * a, 4 * b * b, 4 * a * s.l.z * inv_along) / length2 - glm::dvec3(1, 1, 0);
         const double r = std::log(s.lobe) - log_g;
         sum += w;
         mean += w * r;

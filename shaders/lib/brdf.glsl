@@ -30,8 +30,8 @@ Brdf make_brdf(vec3 base_color, float metallic, float roughness, float specular,
     return b;
 }
 
-/// D V, and D V (1 - v.h)^5: the specular lobe but for f0 and f90. cos2_h and sin2_h are those of the half vector to the
-/// normal: where both are known well, so is the peak of a smooth surface.
+/// D V, and D V (1 - v.h)^5: the specular lobe but for f0 and f90. cos2_h and sin2_h are squares of n.h and of its
+/// sine: where both are known well, so is the peak of a smooth surface.
 vec2 brdf_specular_parts(Brdf b, float n_l, float cos2_h, float sin2_h, float v_h)
 {
     float d = cos2_h * b.alpha2 + sin2_h;

@@ -1,5 +1,5 @@
-// Light of a rectangle, clipped at the horizon: diffuse in closed form, specular by linearly transformed cosines that are
-// corrected by the BRDF itself at a few points. Source: Baum et al. 1989 (irradiance of a polygon); Heitz, Dupuy, Hill,
+// Light of a rectangle, clipped at the horizon: diffuse in closed form, specular by linearly transformed cosines, which
+// the BRDF itself mends at a few points. Source: Baum et al. 1989 (irradiance of a polygon); Heitz, Dupuy, Hill,
 // Neubelt 2016, "Real-Time Polygonal-Light Shading with Linearly Transformed Cosines".
 #ifndef LTC_GLSL
 #define LTC_GLSL
@@ -19,30 +19,30 @@ struct ClippedRect {
     vec3 from[5], edge[5];
 };
 
-/// A specular lobe: cosine is what a direction of the lobe comes from, scaled so that z stays.
+/// A specular lobe as a stretched cosine; names as in LtcEntry.
 struct LtcLobe {
     float inv_along, inv_across, skew;
-    vec2 albedo; // of the lobe for F = 1, and for F = (1 - v.h)^5
+    vec2 albedo; // of the lobe with F = 1, and with F = (1 - v.h)^5
 };
 
+/// The direction of the cosine that the stretching takes to l; neither has unit length. z stays, and so the horizon.
 vec3 cosine_of(LtcLobe m, vec3 l) { return vec3((l.x - m.skew * l.z) * m.inv_along, l.y * m.inv_across, l.z); }
 
 ClippedRect clip_at_horizon(LocalRect r)
 {
     vec3 corners[4] = vec3[](r.centre - r.right - r.up, r.centre + r.right - r.up, r.centre + r.right + r.up,
                              r.centre - r.right + r.up);
-    // From differences, edges of far lights would keep few digits.
-    vec3 edges[4] = vec3[](2.0 * r.right, 2.0 * r.up, -2.0 * r.right, -2.0 * r.up);
     ClippedRect c;
     vec3 leaves = vec3(0.0), returns = vec3(0.0);
     for (int i = 0; i < 4; ++i) {
+        vec3 edge = corners[(i + 1) & 3] - corners[i];
         float a = corners[i].z, b = corners[(i + 1) & 3].z;
         bool from_above = a > 0.0, to_above = b > 0.0;
         float cut = from_above != to_above ? a / (a - b) : 0.0;
         float begin = from_above ? 0.0 : cut, end = to_above ? 1.0 : cut;
-        c.from[i] = corners[i] + edges[i] * begin;
-        c.edge[i] = edges[i] * (from_above || to_above ? end - begin : 0.0);
-        vec3 crossing = vec3((corners[i] + edges[i] * cut).xy, 0.0);
+        c.from[i] = corners[i] + edge * begin;
+        c.edge[i] = edge * (from_above || to_above ? end - begin : 0.0);
+        vec3 crossing = vec3((corners[i] + edge * cut).xy, 0.0);
         if (from_above && !to_above) leaves = crossing;
         if (!from_above && to_above) returns = crossing;
     }
@@ -51,13 +51,32 @@ ClippedRect clip_at_horizon(LocalRect r)
     return c;
 }
 
-/// One edge of the polygon's irradiance integral: its angle times its axis' share along z. atan: acos is coarse near 1.
+/// atan(x) for x in [0, 1], to 1.5e-7: a device's own may have no more than four digits. Interpolates atan(x) / x at
+/// Chebyshev's points in x^2.
+float atan_unit(float x)
+{
+    float u = x * x;
+    float p = -0.00455979199;
+    p = p * u + 0.0237805186;
+    p = p * u - 0.0588297531;
+    p = p * u + 0.0986886546;
+    p = p * u - 0.140032902;
+    p = p * u + 0.199669618;
+    p = p * u - 0.333318127;
+    p = p * u + 0.999999882;
+    return p * x;
+}
+
+/// One edge of the polygon's irradiance integral: its angle times its axis' share along z. Where the polygon is small,
+/// the edges nearly cancel, so each has to be exact to the last digits.
 float edge_integral(vec3 from, vec3 edge)
 {
-    vec3 axis = cross(from, edge);
+    vec3 to = from + edge, axis = cross(from, edge);
     float s2 = dot(axis, axis);
-    float inv_s = inversesqrt(max(s2, 1e-30));
-    return s2 > 0.0 ? atan(s2 * inv_s, dot(from, from + edge)) * inv_s * axis.z : 0.0;
+    if (s2 <= 0.0) return 0.0;
+    float s = sqrt(s2), c = dot(from, to);
+    float half_angle = atan_unit(s / (sqrt(dot(from, from) * dot(to, to)) + abs(c))); // or that of what is left to pi
+    return (c >= 0.0 ? 2.0 * half_angle : brdf_pi - 2.0 * half_angle) * axis.z / s;
 }
 
 /// Cosine-weighted share of the hemisphere, 0 to 1, that the rectangle covers.
@@ -147,25 +166,32 @@ vec2 gauss_point(int count, int i)
 }
 
 /// Sums over count^2 points of the rectangle: xy the integral of D V n.l, for F = 1 and F = (1 - v.h)^5; z the share of
-/// the lobe that the same points give. The points are spread evenly over what the rectangle covers of the sphere on which
-/// the lobe is a cosine.
+/// the lobe that the same points give. They are spread evenly over what the rectangle covers of the sphere on which the
+/// lobe is a cosine.
 vec3 sum_points(LocalRect r, LtcLobe m, Brdf b, int count)
 {
-    // Lines run along the longer side, so that the fewer steps are the shorter ones.
-    bool tall = dot(r.up, r.up) > dot(r.right, r.right);
-    vec3 u = tall ? r.right : r.up, w = tall ? r.up : r.right;
-    vec3 v = vec3(-sqrt(max(1.0 - b.n_v * b.n_v, 0.0)), 0.0, b.n_v);
-
+    // Lines run along the side that looks longer to the cosine, so that the fewer steps are the shorter ones.
+    vec3 u = r.right, w = r.up;
     vec3 cosine_c = cosine_of(m, r.centre), cosine_u = cosine_of(m, u), cosine_w = cosine_of(m, w);
+    if (dot(cosine_u, cosine_u) > dot(cosine_w, cosine_w)) {
+        u = r.up;
+        w = r.right;
+        cosine_u = cosine_of(m, u);
+        cosine_w = cosine_of(m, w);
+    }
+    vec3 v = vec3(-sqrt(max(1.0 - b.n_v * b.n_v, 0.0)), 0.0, b.n_v);
     float w2 = dot(cosine_w, cosine_w), inv_w = inversesqrt(w2);
-    vec3 c = cosine_c - cosine_w * (dot(cosine_c, cosine_w) / w2), d = cosine_u - cosine_w * (dot(cosine_u, cosine_w) / w2);
+    vec3 c = cosine_c - cosine_w * (dot(cosine_c, cosine_w) / w2);
+    vec3 d = cosine_u - cosine_w * (dot(cosine_u, cosine_w) / w2);
     float d2 = max(dot(d, d), 1e-30), middle = -dot(c, d) / d2;
     vec3 nearest = c + d * middle;
     float h = sqrt(max(dot(nearest, nearest), 1e-20)); // distance of the rectangle's plane from the eye of the cosine
 
     // Points (s, t) in [-1, 1]^2 above the horizon: z + s u.z + t w.z > 0.
-    float top = r.centre.z + abs(w.z), cut = u.z != 0.0 ? -top / u.z : -2.0;
-    Spread rows = spread(u.z > 0.0 ? max(cut, -1.0) : -1.0, u.z < 0.0 ? min(cut, 1.0) : 1.0, middle, h * inversesqrt(d2));
+    float top = r.centre.z + abs(w.z), s_cut = u.z != 0.0 ? -top / u.z : -2.0;
+    float first = u.z > 0.0 ? max(s_cut, -1.0) : -1.0, last = u.z < 0.0 ? min(s_cut, 1.0) : 1.0;
+    if (first >= last || u.z == 0.0 && top <= 0.0) return vec3(0.0);
+    Spread rows = spread(first, last, middle, h * inversesqrt(d2));
     float plane = abs(dot(cross(u, w), r.centre));
     float lobe_factor = plane * m.inv_along * m.inv_across / brdf_pi;
 
@@ -200,11 +226,11 @@ vec2 rect_specular(LocalRect r, ClippedRect c, Brdf b)
 {
     LtcLobe m = ltc_lobe(b);
     float share = lobe_share(c, m);
-    // A cosine's lobe fits that of a rough surface badly near the horizon, where it ends abruptly; the more so the lower
-    // the eye. The points tell what it lacks, it tells what the points missed.
-    vec3 sum = sum_points(r, m, b, b.n_v > 0.3 ? 4 : b.n_v > 0.1 ? 6 : 8);
+    // A cosine follows the lobe of a rough surface badly near the horizon, where that ends abruptly; the more so the
+    // lower the eye. The points tell what the cosine lacks, and it tells what the points missed.
+    vec3 sum = sum_points(r, m, b, b.n_v > 0.4 ? 4 : b.n_v > 0.2 ? 6 : 8);
     if (sum.z <= 0.0) return share * m.albedo;
-    if (sum.z >= share) return sum.xy * (share / sum.z);
+    if (sum.z >= share) return sum.xy * (min(share + 2e-6, sum.z) / sum.z); // the share may be off by so much
     return sum.xy + (share - sum.z) * min(sum.xy / sum.z, m.albedo);
 }
 

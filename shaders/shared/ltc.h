@@ -4,13 +4,13 @@
 #include "types.h"
 SHARED_BEGIN
 
-const uint ltc_size = 32;       // entries along each axis
+const uint ltc_size = 32;           // entries along each axis
 const float ltc_rough_min = 0.045; // perceptual roughness of the first row, min_roughness of lib/brdf.glsl; last row: 1
 
-/// Entry (i, j) stands at row i, of roughness, and column j, of n.v = (j / (ltc_size - 1))^2. The surface's normal is z,
-/// the eye lies in y = 0 at x <= 0. A direction l of the lobe comes from the cosine lobe's
-/// ((x - skew z) / along, y / across, z). With alpha = roughness^2 and the tangent t of the eye's angle, a narrow lobe has
-/// along = 2 alpha / (n.v)^2, across = 2 alpha, skew = t; the table holds what wide ones differ from that.
+/// Entry (i, j) is that of the i-th roughness and of n.v = (j / (ltc_size - 1))^2. The surface's normal is z, the eye
+/// lies in y = 0 at x <= 0. A direction l of the lobe comes from ((x - skew z) / along, y / across, z) of the cosine. A
+/// narrow lobe has along = 2 alpha / (n.v)^2, across = 2 alpha, skew = t, with alpha = roughness^2 and t the tangent of
+/// the eye's angle; the table holds how wide ones differ.
 struct LtcEntry {
     float log2_along;   // log2(along (n.v)^2 / (2 alpha))
     float log2_across;  // log2(across / (2 alpha))

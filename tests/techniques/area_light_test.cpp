@@ -46,11 +46,13 @@ public:
         const dvec3 c = rect_.centre - at_.p, mirrored = 2 * glm::dot(at_.n, at_.v) * at_.n - at_.v;
         const double slope = glm::dot(mirrored, rect_.normal), t = slope < 0 ? glm::dot(c, rect_.normal) / slope : 1e3;
         const dvec3 from_centre = t * mirrored - c;
-        const double s0 = std::clamp(glm::dot(from_centre, rect_.right) / glm::dot(rect_.right, rect_.right), -1.0, 1.0);
+        const double s0 =
+            std::clamp(glm::dot(from_centre, rect_.right) / glm::dot(rect_.right, rect_.right), -1.0, 1.0);
         const double t0 = std::clamp(glm::dot(from_centre, rect_.up) / glm::dot(rect_.up, rect_.up), -1.0, 1.0);
         double sum = 0;
         for (const Cell& cell : {Cell{-1, s0, -1, t0}, Cell{s0, 1, -1, t0}, Cell{-1, s0, t0, 1}, Cell{s0, 1, t0, 1}}) {
-            if (cell.s1 - cell.s0 > 1e-9 && cell.t1 - cell.t0 > 1e-9) sum += refine(cell, gauss(cell), tolerance_ / 4, 0);
+            if (cell.s1 - cell.s0 > 1e-9 && cell.t1 - cell.t0 > 1e-9)
+                sum += refine(cell, gauss(cell), tolerance_ / 4, 0);
         }
         return sum;
     }
@@ -59,7 +61,10 @@ private:
     struct Cell {
         double s0, s1, t0, t1;
     };
-    [[nodiscard]] dvec3 place(double s, double t) const { return rect_.centre + s * rect_.right + t * rect_.up - at_.p; }
+    [[nodiscard]] dvec3 place(double s, double t) const
+    {
+        return rect_.centre + s * rect_.right + t * rect_.up - at_.p;
+    }
     [[nodiscard]] double integrand(double s, double t) const
     {
         const dvec3 d = place(s, t);
@@ -68,16 +73,17 @@ private:
         const double n_l = glm::dot(at_.n, l);
         if (n_l <= 0) return 0;
         const double n_v = std::max(glm::dot(at_.n, at_.v), 1e-4);
-        const dvec3 f =
-            brdf_twin(at_.base, at_.metallic, at_.roughness, at_.specular, n_v, n_l, glm::dot(at_.v, l));
+        const dvec3 f = brdf_twin(at_.base, at_.metallic, at_.roughness, at_.specular, n_v, n_l, glm::dot(at_.v, l));
         return f.x * n_l * -glm::dot(rect_.normal, l) / d2;
     }
     [[nodiscard]] double gauss(const Cell& c) const
     {
-        static constexpr double x[]{0, 0.5384693101056831, -0.5384693101056831, 0.9061798459386640, -0.9061798459386640};
+        static constexpr double x[]{0, 0.5384693101056831, -0.5384693101056831, 0.9061798459386640,
+                                    -0.9061798459386640};
         static constexpr double w[]{0.5688888888888889, 0.4786286704993665, 0.4786286704993665, 0.2369268850561891,
                                     0.2369268850561891};
-        const double hs = 0.5 * (c.s1 - c.s0), ht = 0.5 * (c.t1 - c.t0), ms = 0.5 * (c.s0 + c.s1), mt = 0.5 * (c.t0 + c.t1);
+        const double hs = 0.5 * (c.s1 - c.s0), ht = 0.5 * (c.t1 - c.t0), ms = 0.5 * (c.s0 + c.s1),
+                     mt = 0.5 * (c.t0 + c.t1);
         double sum = 0;
         for (int i = 0; i < 5; ++i) {
             for (int k = 0; k < 5; ++k) sum += w[i] * w[k] * integrand(ms + hs * x[i], mt + ht * x[k]);
@@ -101,7 +107,8 @@ private:
     [[nodiscard]] double refine(const Cell& c, double whole, double tolerance, int depth) const
     {
         const double ms = 0.5 * (c.s0 + c.s1), mt = 0.5 * (c.t0 + c.t1);
-        const std::array<Cell, 4> parts{{{c.s0, ms, c.t0, mt}, {ms, c.s1, c.t0, mt}, {c.s0, ms, mt, c.t1}, {ms, c.s1, mt, c.t1}}};
+        const std::array<Cell, 4> parts{
+            {{c.s0, ms, c.t0, mt}, {ms, c.s1, c.t0, mt}, {c.s0, ms, mt, c.t1}, {ms, c.s1, mt, c.t1}}};
         std::array<double, 4> sums{};
         double sum = 0;
         for (int i = 0; i < 4; ++i) sum += sums[i] = gauss(parts[i]);
@@ -122,7 +129,7 @@ Rect rect_of(const Light& light)
     return {light.position, axes.right * (0.5f * light.width), axes.up * (0.5f * light.height), axes.direction};
 }
 
-/// A shape of one material; its specular part alone where `diffuse` is not asked for: a metal, or a black dielectric.
+/// A shape of one material, under no light but those that a test adds.
 rig::FrameRig rig_of(const truth::Shape& shape, float metallic, float roughness, float specular, float base)
 {
     truth::SceneBuilder builder;
@@ -144,7 +151,9 @@ std::vector<std::pair<std::string, std::string>> placements(float elevation)
     const auto mirrored = [&](float distance, float x) {
         return fmt::format("position={}:{}:{}", x, distance * sine, -distance * cosine);
     };
-    const auto back = [&](float x, float y, float z) { return fmt::format(",direction={}:{}:{}", x, y - sine, z + cosine); };
+    const auto back = [&](float x, float y, float z) {
+        return fmt::format(",direction={}:{}:{}", x, y - sine, z + cosine);
+    };
     return {
         {"facing the origin", mirrored(1.5f, 0) + back(0, 0, 0) + ",width=1,height=1"},
         {"half below the horizon", "position=0:0.1:-1.5,direction=0:0:1,width=2,height=1.5"},
@@ -162,7 +171,7 @@ struct Deviation {
     double relative = 0; ///< largest of pixels that have a thousandth of the peak
 };
 
-Deviation deviation(const rig::FrameRig& rig, int stride)
+Deviation deviation(const rig::FrameRig& rig)
 {
     const std::vector<ImageF> got =
         rig.aovs({"light.0", "position", "normal", "albedo", "roughness", "metallic", "specular", "depth"});
@@ -170,27 +179,28 @@ Deviation deviation(const rig::FrameRig& rig, int stride)
     const Rect rect = rect_of(light);
     float brightest = 0;
     for (std::size_t i = 0; i < got[0].values.size(); i += 3) brightest = std::max(brightest, got[0].values[i]);
-    const double tolerance = 3e-4 * brightest / light.radiance;
+    const double tolerance = std::max(3e-4f * brightest / light.radiance, 1e-7f);
 
     struct Pixel {
         double want, got;
     };
-    const int columns = got[0].width / stride, rows = got[0].height / stride;
-    std::vector<Pixel> pixels(static_cast<std::size_t>(columns * rows), Pixel{0, 0});
+    std::vector<Pixel> pixels(got[0].values.size() / 3, Pixel{0, 0});
     parallel_for(pixels.size(), [&](std::size_t i) {
-        const int x = static_cast<int>(i) % columns * stride + stride / 2, y = static_cast<int>(i) / columns * stride + stride / 2;
+        const int x = static_cast<int>(i) % got[0].width, y = static_cast<int>(i) / got[0].width;
         if (!std::isfinite(*got[7].at(x, y))) return;
         const auto vector = [&](std::size_t image) {
             const float* v = got[image].at(x, y);
             return dvec3(v[0], v[1], v[2]);
         };
-        Point at{vector(1), glm::normalize(vector(2)), {}, vector(3), *got[5].at(x, y), *got[4].at(x, y), *got[6].at(x, y)};
+        Point at{vector(1),        glm::normalize(vector(2)), {}, vector(3), *got[5].at(x, y),
+                 *got[4].at(x, y), *got[6].at(x, y)};
         at.v = glm::normalize(dvec3(rig.request.camera.eye) - at.p);
         if (glm::dot(at.n, at.v) < 0.005) return; // a shading normal that looks away
         pixels[i] = {light.radiance * BruteForce(at, rect, tolerance).radiance(), *got[0].at(x, y)};
     });
     Deviation d;
     for (const Pixel& p : pixels) d.peak = std::max(d.peak, p.want);
+    EXPECT_GT(d.peak, 0) << "nothing is lit";
     for (const Pixel& p : pixels) {
         d.of_peak = std::max(d.of_peak, std::abs(p.got - p.want) / d.peak);
         if (p.want > 1e-3 * d.peak) d.relative = std::max(d.relative, std::abs(p.got / p.want - 1));
@@ -202,47 +212,94 @@ void look_from(rig::FrameRig& rig, float elevation)
 {
     const float a = glm::radians(elevation);
     rig.look({0, 4 * std::sin(a), 4 * std::cos(a)}, {0, 0, 0});
-    rig.request.size = {48, 27};
+    rig.request.size = {32, 18};
     rig.set("ambient.intensity", "0");
+}
+
+Deviation deviation(rig::FrameRig& rig, const std::string& rect)
+{
+    rig.request.lights.clear();
+    rig.light("rect,radiance=10," + rect);
+    return deviation(rig);
 }
 
 TEST(area_light, specular_is_within_five_percent_of_the_peak)
 {
+    // Measured: 2.9 %; with cosines alone, not mended by the BRDF, up to 150 %.
     double worst = 0;
     for (const bool metal : {true, false}) {
         for (const float roughness : {0.0f, 0.15f, 0.3f, 0.5f, 0.75f, 1.0f}) {
             rig::FrameRig rig = rig_of(truth::ground(200), metal, roughness, 0.04f, metal ? 0.9f : 0.0f);
             for (const float elevation : {70.0f, 30.0f, 8.0f}) {
                 look_from(rig, elevation);
-                for (const auto& [name, spec] : placements(elevation)) {
-                    rig.request.lights.clear();
-                    rig.light("rect,radiance=10," + spec);
-                    const Deviation d = deviation(rig, 1);
+                for (const auto& [name, rect] : placements(elevation)) {
+                    const Deviation d = deviation(rig, rect);
                     worst = std::max(worst, d.of_peak);
-                    EXPECT_LT(d.of_peak, 0.05) << (metal ? "metal" : "dielectric") << " of roughness " << roughness << ", "
-                                               << name << ", from " << elevation << " degrees";
-                    if (std::getenv("LTC_PRINT")) std::printf("%d %.3f %2.0f %-28s peak %8.4f err %.4f rel %.3f\n", metal, roughness, elevation, name.c_str(), d.peak, d.of_peak, d.relative);
-                    EXPECT_GT(d.peak, 1e-3) << name;
+                    EXPECT_LT(d.of_peak, 0.05) << (metal ? "metal" : "dielectric") << " of roughness " << roughness
+                                               << ", " << name << ", from " << elevation << " degrees";
                 }
             }
         }
     }
-    RecordProperty("worst", fmt::format("{}", worst));
-    std::printf("worst %f\n", worst);
+    RecordProperty("largest_share_of_peak", fmt::format("{:.4f}", worst));
+}
+
+TEST(area_light, highlights_on_a_sphere_are_within_five_percent_of_the_peak)
+{
+    // Normals that are no axis, every angle to the eye. Measured: 0.9 %.
+    for (const float roughness : {0.1f, 0.4f, 0.8f}) {
+        rig::FrameRig rig = rig_of(truth::sphere({0, 0, 0}, 1.5f, 128), 0, roughness, 0.08f, 0);
+        look_from(rig, 20);
+        for (const char* rect : {"position=3:3:2,direction=-1:-1:-0.7,width=2,height=1",
+                                 "position=-4:0:-3,direction=1:0:0.6,width=1,height=5",
+                                 "position=0:2.5:0,direction=0:-1:0,width=3,height=3"}) {
+            const Deviation d = deviation(rig, rect);
+            EXPECT_LT(d.of_peak, 0.05) << "roughness " << roughness << ", " << rect;
+        }
+    }
 }
 
 TEST(area_light, diffuse_is_within_one_percent)
 {
+    // Measured: 0.4 %, and that beside the horizon, where the brute force is no better.
     rig::FrameRig rig = rig_of(truth::ground(200), 0, 1, 0, 0.5f);
     for (const float elevation : {70.0f, 30.0f, 8.0f}) {
         look_from(rig, elevation);
-        for (const auto& [name, spec] : placements(elevation)) {
-            rig.request.lights.clear();
-            rig.light("rect,radiance=10," + spec);
-            const Deviation d = deviation(rig, 1);
-            std::printf("diffuse %-28s %2.0f peak %.4f rel %.5f of peak %.5f\n", name.c_str(), elevation, d.peak, d.relative, d.of_peak);
-            EXPECT_LT(d.relative, 0.01) << name << ", from " << elevation << " degrees";
+        for (const auto& [name, rect] : placements(elevation)) {
+            EXPECT_LT(deviation(rig, rect).relative, 0.01) << name << ", from " << elevation << " degrees";
         }
+    }
+}
+
+TEST(area_light, a_small_far_one_keeps_its_digits)
+{
+    // 10 cm at 290 m: what the four edges give cancels but for a few thousandths.
+    rig::FrameRig rig = rig_of(truth::ground(200), 0, 1, 0, 0.5f);
+    look_from(rig, 70);
+    EXPECT_LT(deviation(rig, "position=90:270:60,direction=-3:-9:-2,width=0.1,height=0.1").relative, 0.01);
+}
+
+TEST(area_light, diffuse_and_specular_add_up)
+{
+    rig::FrameRig rig = rig_of(truth::ground(200), 0.3f, 0.6f, 0.04f, 0.7f);
+    look_from(rig, 30);
+    EXPECT_LT(deviation(rig, placements(30).front().second).relative, 0.02);
+}
+
+TEST(area_light, the_table_is_what_the_program_makes)
+{
+    for (const auto& [row, column] :
+         {std::pair{0u, 31u}, {0u, 8u}, {5u, 5u}, {12u, 0u}, {15u, 16u}, {31u, 20u}, {31u, 31u}}) {
+        const shared::LtcEntry made = fit_ltc(ltc_roughness(row), ltc_cosine(column));
+        const shared::LtcEntry kept = ltc_table()[row * shared::ltc_size + column];
+        const auto same = [&](float a, float b) {
+            EXPECT_NEAR(a, b, 1e-3f * (1 + std::abs(b))) << row << ", " << column;
+        };
+        same(made.log2_along, kept.log2_along);
+        same(made.log2_across, kept.log2_across);
+        same(made.skew, kept.skew);
+        same(made.albedo, kept.albedo);
+        same(made.fresnel, kept.fresnel);
     }
 }
 

@@ -89,7 +89,8 @@ graph::Tex add_lighting(graph::Graph& g, const GBuffer& gb, const LightingTerms&
     if (terms.visibility) pass.reads(terms.visibility);
     const bool unroll = terms.first_light == 0 && terms.end_delta <= max_unrolled_lights;
     pass.writes(radiance).fullscreen(
-        shaders[terms.visibility ? 1 : 0][occluded ? 1 : 0], {unroll ? terms.end_delta : 0},
+        shaders[terms.visibility ? 1 : 0][occluded ? 1 : 0],
+        {unroll ? terms.end_delta : 0, terms.end_light > terms.end_delta ? 1u : 0u},
         shared::LightingPush{terms.first_light, terms.end_delta, terms.end_light, flags, terms.scale});
     return radiance;
 }

@@ -7,6 +7,8 @@
 // Lights without area that are known beforehand, from the first on: the compiler unrolls their loop, and their constants
 // have fixed places (a CPU device reads those eight times faster). 0: the numbers in the push constants.
 layout(constant_id = 0) const uint unrolled_lights = 0;
+// Whether there are rectangles: their code is long, and frames without them need not carry it.
+layout(constant_id = 1) const bool rects = true;
 layout(push_constant, scalar) uniform Push { LightingPush push; };
 layout(location = 0) out vec4 out_radiance;
 
@@ -68,8 +70,10 @@ void main()
             sum += shade_delta(frame.lights[i], p, s.normal, v, b) * visibility_of(frame.lights[i].shadow_layer, pixel);
         }
     }
-    for (uint i = push.end_delta; i < push.end_light; ++i) {
-        sum += shade_rect(frame.lights[i], p, s.normal, v, b) * visibility_of(frame.lights[i].shadow_layer, pixel);
+    if (rects) {
+        for (uint i = push.end_delta; i < push.end_light; ++i) {
+            sum += shade_rect(frame.lights[i], p, s.normal, v, b) * visibility_of(frame.lights[i].shadow_layer, pixel);
+        }
     }
     if ((push.terms & term_ambient) != 0u) sum += ambient_light(pixel, s);
     if ((push.terms & term_emission) != 0u) sum += unpack_rgb9e5(texelFetch(gbuffer_emission, pixel, 0).x);
