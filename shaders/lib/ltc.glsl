@@ -152,23 +152,31 @@ SpreadPoint spread_point(Spread s, float x)
                        0.5 * abs(s.high - s.low) * s.scale * secant2 * secant);
 }
 
-// Gauss and Legendre's points and weights in [0, 1] for 4, 6 and 8 points; the others lie at -x.
-const vec2 gauss[9] = vec2[](vec2(0.3399810436, 0.6521451549), vec2(0.8611363116, 0.3478548451),
-                             vec2(0.2386191861, 0.4679139346), vec2(0.6612093865, 0.3607615730),
-                             vec2(0.9324695142, 0.1713244924), vec2(0.1834346425, 0.3626837834),
-                             vec2(0.5255324099, 0.3137066459), vec2(0.7966664774, 0.2223810345),
-                             vec2(0.9602898565, 0.1012285363));
+// Gauss and Legendre's points and weights in [0, 1] for 2, 4, 6 and 8 points; the others lie at -x.
+const vec2 gauss[10] = vec2[](vec2(0.5773502692, 1.0), vec2(0.3399810436, 0.6521451549),
+                              vec2(0.8611363116, 0.3478548451), vec2(0.2386191861, 0.4679139346),
+                              vec2(0.6612093865, 0.3607615730), vec2(0.9324695142, 0.1713244924),
+                              vec2(0.1834346425, 0.3626837834), vec2(0.5255324099, 0.3137066459),
+                              vec2(0.7966664774, 0.2223810345), vec2(0.9602898565, 0.1012285363));
 
 vec2 gauss_point(int count, int i)
 {
-    vec2 p = gauss[(count == 4 ? 0 : count == 6 ? 2 : 5) + i / 2];
+    int half_count = count / 2;
+    vec2 p = gauss[half_count * (half_count - 1) / 2 + i / 2];
     return (i & 1) == 0 ? p : vec2(-p.x, p.y);
 }
 
-/// Sums over count^2 points of the rectangle: xy the integral of D V n.l, for F = 1 and F = (1 - v.h)^5; z the share of
+/// How many points a line needs: what covers little of the sphere is even enough for few.
+int points_on(Spread s, int most)
+{
+    float length = abs(s.high - s.low);
+    return length < 0.1 ? 2 : length < 0.4 ? 4 : most;
+}
+
+/// Sums over at most most^2 points of the rectangle: xy the integral of D V n.l, for F = 1 and F = (1 - v.h)^5; z the share of
 /// the lobe that the same points give. They are spread evenly over what the rectangle covers of the sphere on which the
 /// lobe is a cosine.
-vec3 sum_points(LocalRect r, LtcLobe m, Brdf b, int count)
+vec3 sum_points(LocalRect r, LtcLobe m, Brdf b, int most)
 {
     // Lines run along the side that looks longer to the cosine, so that the fewer steps are the shorter ones.
     vec3 u = r.right, w = r.up;
@@ -196,8 +204,9 @@ vec3 sum_points(LocalRect r, LtcLobe m, Brdf b, int count)
     float lobe_factor = plane * m.inv_along * m.inv_across / brdf_pi;
 
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < count; ++i) {
-        vec2 node = gauss_point(count, i);
+    int row_count = points_on(rows, most);
+    for (int i = 0; i < row_count; ++i) {
+        vec2 node = gauss_point(row_count, i);
         SpreadPoint row = spread_point(rows, node.x);
         vec3 p = r.centre + u * row.at;
         float t_cut = w.z != 0.0 ? -p.z / w.z : -2.0;
@@ -205,6 +214,7 @@ vec3 sum_points(LocalRect r, LtcLobe m, Brdf b, int count)
         if (begin >= end || w.z == 0.0 && p.z <= 0.0) continue;
         float h_row2 = h * h * row.secant2, row_weight = node.y * row.width;
         Spread line = spread(begin, end, -dot(cosine_c + cosine_u * row.at, cosine_w) / w2, sqrt(h_row2) * inv_w);
+        int count = points_on(line, most);
         for (int k = 0; k < count; ++k) {
             vec2 point = gauss_point(count, k);
             SpreadPoint at = spread_point(line, point.x);

@@ -4,6 +4,7 @@
 #include "shaders/shared/culling.h"
 #include "shaders/shared/frame.h"
 #include "shaders/shared/lighting.h"
+#include "shaders/shared/ltc.h"
 #include "shaders/shared/scene.h"
 #include "shaders/shared/shadow.h"
 #include "tests/rig/device_rig.hpp"
@@ -82,6 +83,8 @@ TEST(shared_structs, frame_constants_and_lights_have_one_layout)
     EXPECT_MEMBER(o, GpuLight, half_right);
     EXPECT_MEMBER(o, GpuLight, sin2_radius);
     EXPECT_MEMBER(o, LightingPush, scale);
+    EXPECT_MEMBER(o, LtcEntry, skew);
+    EXPECT_MEMBER(o, LtcEntry, fresnel);
 }
 
 TEST(shared_structs, scene_tables_have_one_layout)
