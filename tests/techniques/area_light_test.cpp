@@ -202,6 +202,7 @@ Deviation deviation(const rig::FrameRig& rig)
     for (const Pixel& p : pixels) d.peak = std::max(d.peak, p.want);
     EXPECT_GT(d.peak, 0) << "nothing is lit";
     for (const Pixel& p : pixels) {
+        EXPECT_TRUE(std::isfinite(p.got));
         d.of_peak = std::max(d.of_peak, std::abs(p.got - p.want) / d.peak);
         if (p.want > 1e-3 * d.peak) d.relative = std::max(d.relative, std::abs(p.got / p.want - 1));
     }
