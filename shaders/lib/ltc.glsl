@@ -173,9 +173,9 @@ int points_on(Spread s, int most)
     return length < 0.1 ? 2 : length < 0.4 ? 4 : most;
 }
 
-/// Sums over at most most^2 points of the rectangle: xy the integral of D V n.l, for F = 1 and F = (1 - v.h)^5; z the share of
-/// the lobe that the same points give. They are spread evenly over what the rectangle covers of the sphere on which the
-/// lobe is a cosine.
+/// Sums over at most most^2 points of the rectangle: xy the integral of D V n.l, for F = 1 and F = (1 - v.h)^5; z the
+/// share of the lobe that the same points give. They are spread evenly over what the rectangle covers of the sphere on
+/// which the lobe is a cosine.
 vec3 sum_points(LocalRect r, LtcLobe m, Brdf b, int most)
 {
     // Lines run along the side that looks longer to the cosine, so that the fewer steps are the shorter ones.
