@@ -24,7 +24,7 @@ AmbientOcclusion add_ao(graph::Graph& g, const GBuffer& gb, const AoSettings& s)
 {
     if (s.method == AoMethod::off) return {};
     const std::uint32_t scale = s.half_resolution ? 2 : 1;
-    const shared::AoPush push{s.radius, s.falloff, s.power, s.thin, scale};
+    const shared::AoPush push{s.radius, s.falloff, s.power, s.thin, scale, s.blur ? 1u : 0u};
     const graph::TexDesc full = g.desc(gb.depth);
     const graph::TexDesc reckoned{Format::rg32_float, (full.width + scale - 1) / scale,
                                   (full.height + scale - 1) / scale};

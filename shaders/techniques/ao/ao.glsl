@@ -22,6 +22,12 @@ vec3 to_view(vec3 world) { return vec3(dot(world, frame.right), dot(world, frame
 /// Unit normal of the pixel's triangle, view space. Not the normal map's: its bumps occlude nothing.
 vec3 plane_normal(ivec2 pixel) { return to_view(oct_unpack(texelFetch(gbuffer_normal, pixel, 0).y, 12u)); }
 
+/// What a visibility becomes once its noise is averaged.
+float finished(float ao) { return pow(max(ao, 0.0), push.power); }
+
+/// What goes on of a noisy one: all of it, be it under 0 or over 1, where a blur follows.
+float reckoned(float ao) { return push.blur == 1u ? ao : finished(ao); }
+
 /// The pixel that a texel of an AO image stands for.
 ivec2 pixel_of(ivec2 texel) { return texel * int(push.scale); }
 

@@ -28,5 +28,5 @@ void main()
             weights += w;
         }
     }
-    out_ao.x = sum / weights;
+    out_ao.x = finished(sum / weights);
 }

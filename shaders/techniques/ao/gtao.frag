@@ -120,5 +120,5 @@ void main()
         sum += weight * (inner_arc(h_ahead, ahead, sqrt(max(0.0, 1.0 - ahead * ahead)), cos_n, sin_n) +
                          inner_arc(h_behind, behind, -sqrt(max(0.0, 1.0 - behind * behind)), cos_n, sin_n));
     }
-    out_ao.x = pow(max(sum / float(slices), 0.0), push.power); // over 1 in some pixels, so that the mean is right
+    out_ao.x = reckoned(sum / float(slices)); // over 1 in some pixels, so that the mean is right
 }

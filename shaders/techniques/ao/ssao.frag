@@ -50,5 +50,5 @@ void main()
         vec3 d = ray_of(ivec2(at)) * scene - p; // seen at a slant, the surface itself lies before some points: no occluder
         if (scene < -s.z - bias && dot(d, n) > 0.02 * length(d)) occluded += smoothstep(0.0, 1.0, push.radius / max(abs(z - scene), 1e-6));
     }
-    out_ao.x = pow(1.0 - fade * occluded / float(samples), push.power);
+    out_ao.x = reckoned(1.0 - fade * occluded / float(samples));
 }
