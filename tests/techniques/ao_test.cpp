@@ -70,6 +70,7 @@ TEST(ao, a_lone_plane_is_open_at_any_angle)
     rig::FrameRig rig(truth::floor_scene());
     for (const char* method : {"ssao", "gtao"}) {
         set_ao(rig, method, 0.5f);
+        rig.request.size = {641, 361}; // the last half-size texels stand for pixels with no neighbour
         for (const char* half : {"off", "on"}) {
             rig.set("ao.half_resolution", half);
             for (const float height : {0.2f, 0.5f, 1.0f, 3.0f, 10.0f}) {
@@ -106,29 +107,47 @@ TEST(ao, beside_a_wall_it_has_the_closed_form)
 TEST(ao, in_a_corner_it_has_the_closed_form)
 {
     rig::FrameRig rig(truth::corner_scene());
-    rig.look({2.2f, 2.4f, 2.6f}, {0.3f, 0.1f, 0.3f}, 60);
     set_ao(rig, "gtao", 1);
-    for (const double k : {0.1, 0.25, 0.5}) {
-        expect_near(patch_around(rig.aovs({"position", "ao"}), dvec2(k), 0.04,
-                                 [](double x, double z) {
-                                     return 1 - truth::beyond_chord(x) - truth::beyond_chord(z) +
-                                            truth::beyond_both(x, z);
-                                 }),
-                    "corner at " + std::to_string(k));
+    for (const vec3& eye : {vec3(2.2f, 2.4f, 2.6f), vec3(2, 0.9f, 1.4f), vec3(1.5f, 4, 1.5f)}) {
+        rig.look(eye, {0.3f, 0.1f, 0.3f}, 60);
+        for (const double k : {0.1, 0.25, 0.5}) {
+            expect_near(patch_around(rig.aovs({"position", "ao"}), dvec2(k), 0.04,
+                                     [](double x, double z) {
+                                         return 1 - truth::beyond_chord(x) - truth::beyond_chord(z) +
+                                                truth::beyond_both(x, z);
+                                     }),
+                        "corner at " + std::to_string(k));
+        }
     }
 }
 
 TEST(ao, beside_a_sphere_it_has_the_closed_form)
 {
     rig::FrameRig rig(truth::sphere_on_floor(1));
-    rig.look({4, 3.5f, 4}, {0, 0.5f, 0}, 60);
     set_ao(rig, "gtao", 50);
-    rig.set("ao.samples", "32"); // so far around, fewer pass by the sphere
-    for (const double d : {0.5, 1.0, 2.0}) {
-        const double s = d / std::sqrt(2.0);
-        expect_near(patch_around(rig.aovs({"position", "ao"}), dvec2(s, s), 0.1,
-                                 [](double x, double z) { return 1 - std::pow(1 + x * x + z * z, -1.5); }),
-                    "sphere at " + std::to_string(d));
+    for (const vec3& eye : {vec3(4, 3.5f, 4), vec3(5, 2, 5), vec3(3.5f, 6, 3.5f), vec3(0, 3.5f, 6)}) {
+        rig.look(eye, {0, 0.5f, 0}, 60);
+        for (const double d : {0.5, 1.0, 2.0}) {
+            const double s = d / std::sqrt(2.0);
+            expect_near(patch_around(rig.aovs({"position", "ao"}), dvec2(s, s), 0.1,
+                                     [](double x, double z) { return 1 - std::pow(1 + x * x + z * z, -1.5); }),
+                        "sphere at " + std::to_string(d));
+        }
+    }
+}
+
+TEST(ao, under_a_low_ceiling_it_has_the_closed_form)
+{
+    rig::FrameRig rig(truth::ceiling_scene(0.5f));
+    // From between the two: all of the ceiling within the radius is in the picture.
+    for (const vec3& eye : {vec3(0, 0.25f, 3), vec3(0, 0.1f, 3), vec3(1.5f, 0.3f, 2.5f), vec3(-1, 0.35f, 2.5f)}) {
+        rig.look(eye, {0, 0.25f, 0}, 60);
+        for (const double k : {0.25, 0.5, 0.75, 0.9}) {
+            set_ao(rig, "gtao", static_cast<float>(0.5 / k));
+            expect_near(
+                patch_around(rig.aovs({"position", "ao"}), dvec2(0), 0.2, [&](double, double) { return k * k; }),
+                "ceiling at " + std::to_string(k));
+        }
     }
 }
 

@@ -1,73 +1,99 @@
 #version 460
-// Ambient occlusion from horizons: in each of a few planes through the line of sight, how high the scene rises on either
-// side, and in closed form what that leaves of the cosine-weighted hemisphere.
+// Ambient occlusion from horizons: in planes through the line of sight ("slices"), how high the scene rises on either
+// side, and in closed form what that hides of the cosine-weighted hemisphere.
 // Source: Jimenez et al. 2016, "Practical Real-Time Strategies for Accurate Indirect Occlusion".
+#extension GL_EXT_control_flow_attributes : require
 #extension GL_GOOGLE_include_directive : require
 #include "techniques/ao/ao.glsl"
 
-layout(constant_id = 0) const uint slices = 3;
-layout(constant_id = 1) const uint steps = 3; // on each side
+layout(constant_id = 0) const uint slices = 1;
+layout(constant_id = 1) const uint steps = 9; // on each side
 layout(location = 0) out vec2 out_ao;
 
 const float pi = 3.14159265;
-const float nearest_step = 1.3;  // pixels: nearer ones lie in the pixel itself
-const float least_radius = 2.0;  // pixels: nothing smaller can be seen
-const float widest = 0.6;        // of the picture's height: farther samples would leave the near ones too few
-const float longest_way = 2.0;   // radii between samples that still lie on one surface
+const float nearest_step = 1.3; // pixels: nearer ones lie in the pixel itself
+const float least_radius = 2.0; // pixels: nothing smaller can be seen
+const float widest = 0.6;       // of the picture's height: farther samples would leave the near ones too few
+const float longest_way = 1.5;  // radii between two points of one surface, wherever they lie
+const float straight = 0.1;     // tangent of the bend up to which three points lie on one surface, however far apart
+const float favour = 0.7;       // how much more often slices are drawn along the slope of a plane
 
-/// What the square of a distance along the view adds to that of a length.
-float thinness() { return push.thin * (2.0 + push.thin); }
-
-/// What a horizon needs to know of a point seen from `p`.
-struct Sample {
-    vec3 d;         // from p to it
-    float along_v;  // of d: along the line of sight
-    float along_n;  // and over the plane
-    float length2;
-    float measure2; // the same where distances along the view count more
+/// A point of the scene in a slice. Lengths along the line of sight count 1 + push.thin times.
+struct Point {
+    vec2 d;        // from the pixel's own point: away from the line of sight, and along it towards the eye
+    float length2; // of d
+    bool over;     // the pixel's plane
 };
 
-Sample sample_at(ivec2 pixel, vec3 p, vec3 n, vec3 v)
+/// What was seen on one side of a slice.
+struct Side {
+    vec2 top;      // direction of the horizon so far
+    float nearest; // to the line of sight, of what rises over the plane within the radius
+    Point last;
+    vec2 way;      // to the last point from the one before
+};
+
+float cross(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
+
+/// Distance along the view axis; far away where nothing stands and off the picture.
+float distance_at(ivec2 pixel)
 {
-    bool inside = all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, ivec2(frame.size)));
-    float depth = inside ? max(fetch_depth(pixel), 1e-9) : 1e-9; // nothing there: far away
-    vec3 d = ray_of(pixel) * view_distance(depth) - p;
+    uvec2 at = uvec2(pixel), inside = min(at, uvec2(frame.size) - 1u);
+    float depth = fetch_depth(ivec2(inside));
+    return view_distance(at == inside ? max(depth, 1e-9) : 1e-9);
+}
+
+/// The point at distance `z` on a ray that differs from the pixel's by `step`. That and the pixel's own `ray` are given
+/// by their parts: step.x away from the line of sight; step.y, ray.x along it; step.z, ray.y along the normal.
+Point seen(float z, float own_z, vec3 step, vec2 ray)
+{
+    vec2 along = z * step.yz + (z - own_z) * ray, d = vec2(z * step.x, along.x);
     float length2 = dot(d, d);
-    return Sample(d, dot(d, v), dot(d, n), length2, length2 + thinness() * d.z * d.z);
+    // A plane seen through pixels' centres is never quite in the slice: what hardly rises over it is part of it.
+    return Point(d, length2, along.y * abs(along.y) > 1e-4 * length2);
 }
 
-/// Cosine of the horizon that a point makes; `tangent`: that of the surface's own plane.
-float horizon(float along_v, float along_n, float length2, float tangent)
+/// Takes in the next point, and what lies within the radius on the way to it: few samples would else step over it.
+void walk(inout Side side, Point next, float radius2)
 {
-    float inverse = inversesqrt(max(length2, 1e-12));
-    // A plane seen through pixels' centres is never quite in the slice: what does not rise over it is no horizon.
-    return along_n * inverse < 0.01 ? tangent : max(tangent, along_v * inverse);
+    Point last = side.last;
+    vec2 way = next.d - last.d;
+    float way2 = dot(way, way), slope = dot(last.d, way), inverse = 1.0 / max(way2, 1e-12);
+    float root = sqrt(max(slope * slope - way2 * (last.length2 - radius2), 0.0));
+    float from = clamp((-slope - root) * inverse, 0.0, 1.0), to = clamp((-slope + root) * inverse, 0.0, 1.0);
+    // A long way leads from one surface to another, with nothing between; not if it goes on straight, as on a ceiling
+    // that is seen at a slant.
+    bool bends = abs(cross(side.way, way)) >= straight * dot(side.way, way);
+    bool leap = bends && way2 > longest_way * longest_way * radius2;
+    bool rises = (last.over || next.over) && (leap ? next.length2 < radius2 : from < to);
+    from = leap ? 1.0 : from;
+    to = leap ? 1.0 : to;
+
+    vec2 top = last.d + (cross(last.d, next.d) >= 0.0 ? to : from) * way;
+    side.top = rises && cross(side.top, top) > 0.0 ? top : side.top;
+    side.nearest = rises ? min(side.nearest, last.d.x + from * way.x) : side.nearest;
+    side.last = next;
+    side.way = way;
 }
 
-/// The horizon of what lies within `radius` on the way from one sample to the next: few samples would else step over it.
-/// Sines and lengths of the points between follow from those of the ends.
-float horizon_between(Sample a, Sample b, float radius2, float tangent)
+/// Visibility between the line of sight and an angle, whose cosine is given, on the side towards which the normal has
+/// the component `ns`; `nv`: along the line of sight. Two open sides come to 1, on average over all slices.
+float arc(float c, float nv, float ns)
 {
-    float ab = dot(a.d, b.d), measure_ab = ab + thinness() * a.d.z * b.d.z;
-    float dd = a.measure2 + b.measure2 - 2.0 * measure_ab, ad = measure_ab - a.measure2;
-    if (dd > longest_way * longest_way * radius2) { // from one surface to another
-        return b.measure2 <= radius2 ? horizon(b.along_v, b.along_n, b.length2, tangent) : tangent;
-    }
-    float root2 = ad * ad - dd * (a.measure2 - radius2);
-    if (root2 <= 0.0) return tangent;
-    float root = sqrt(root2), inverse = 1.0 / dd;
-    float from = max((-ad - root) * inverse, 0.0), to = min((-ad + root) * inverse, 1.0);
-    if (from >= to) return tangent;
-    vec2 t = vec2(from, to), along_v = mix(vec2(a.along_v), vec2(b.along_v), t), along_n = mix(vec2(a.along_n), vec2(b.along_n), t);
-    vec2 length2 = a.length2 + t * (2.0 * (ab - a.length2) + t * (a.length2 + b.length2 - 2.0 * ab));
-    return max(horizon(along_v.x, along_n.x, length2.x, tangent), horizon(along_v.y, along_n.y, length2.y, tangent));
+    float s2 = max(1.0 - c * c, 0.0);
+    return 0.5 * (nv * s2 + ns * (acos(clamp(c, -1.0, 1.0)) - c * sqrt(s2)));
 }
 
-/// Visibility of one side of a slice, `h` its horizon, signed from the line of sight, whose cosine and sine are given.
-float inner_arc(float h, float cos_h, float sin_h, float cos_n, float sin_n)
+/// What is hidden on one side: from the horizon down to where things, endless along the view, leave the radius. Mostly
+/// that is under the plane; below a ceiling it is not.
+float hidden(Side side, float radius2, float nv, float ns)
 {
-    float cos_2h = 2.0 * cos_h * cos_h - 1.0, sin_2h = 2.0 * sin_h * cos_h;
-    return 0.25 * (cos_n + 2.0 * h * sin_n - (cos_2h * cos_n + sin_2h * sin_n));
+    float stretch = 1.0 + push.thin;
+    vec2 top = side.top / vec2(1.0, stretch);
+    float across2 = side.nearest * side.nearest, behind2 = (radius2 - across2) / (stretch * stretch);
+    float cos_top = top.y * inversesqrt(dot(top, top)), cos_plane = -ns * inversesqrt(max(nv * nv + ns * ns, 1e-12));
+    float cos_bottom = clamp(-sqrt(behind2 / (across2 + behind2)), cos_plane, cos_top);
+    return arc(cos_bottom, nv, ns) - arc(cos_top, nv, ns);
 }
 
 void main()
@@ -82,43 +108,45 @@ void main()
     float radius = push.radius * 0.5 * frame.size.y / (frame.tan_y * z); // pixels
     if (radius < least_radius) return;
     radius = min(radius, widest * frame.size.y);
-    vec3 ray = ray_of(pixel), p = ray * (z * 0.99999), n = plane_normal(pixel), v = -normalize(ray);
-
-    // Slices stand evenly around the line of sight, not around the view's axis: else a plane would not come out open.
-    vec3 right = normalize(cross(vec3(0.0, 1.0, 0.0), v)), up = cross(v, right);
+    z *= 0.99999; // before the surface
+    vec3 ray = ray_of(pixel), n = plane_normal(pixel);
+    float ray_length = length(ray), stretch = 1.0 + push.thin;
+    vec3 v = ray / -ray_length;
+    float nv = max(dot(n, v), 0.0);
+    vec3 slope = n - nv * v; // of the plane, across the line of sight
+    vec2 ray_in_slice = -ray_length * vec2(stretch, nv);
+    vec2 pixel_step = vec2(2.0, -2.0) * frame.inv_size * vec2(frame.tan_x, frame.tan_y); // of rays
 
     uint noise = bayer(texel);
     float turn = float(noise) / 16.0, shift = fract(float(noise) * 0.61803399 + 0.5);
     float sum = 0.0;
     for (uint i = 0u; i < slices; ++i) {
+        // Across the line of sight. Turned evenly on the screen; what slices weigh makes up for where they crowd.
         float phi = pi * (float(i) + turn) / float(slices);
-        vec3 side = cos(phi) * right + sin(phi) * up; // of the slice, across the line of sight
-        vec2 along = side.xy + ray.xy * side.z;       // on the screen
-        vec3 axis = cross(side, v);                   // of the slice's plane
-        vec3 in_slice = n - axis * dot(n, axis);
-        float weight = length(in_slice);
-        float cos_n = clamp(dot(in_slice, v) / max(weight, 1e-6), 0.0, 1.0);
-        float sin_n = dot(in_slice, side) / max(weight, 1e-6);
+        vec3 side = vec3(cos(phi), sin(phi), 0.0);
+        side -= dot(side, v) * v;
+        side += favour * dot(side, slope) * slope;
+        float inverse = inversesqrt(dot(side, side));
+        float weight = v.z * (1.0 + favour * dot(slope, slope)) * inverse * inverse;
+        side *= inverse;
+        float ns = dot(n, side);
+        vec2 along = radius * vec2(1.0, -1.0) * (side.xy + ray.xy * side.z); // on the screen, pixels
 
-        float ahead = -sin_n, behind = sin_n; // cosines of the horizons, at first of the plane's own
-        float tangent_ahead = ahead, tangent_behind = behind;
         // Each slice has a radius of its own: on average what stands far out counts less and less.
         float reach = push.radius * (1.0 - push.falloff * fract(turn + 0.5 * shift + float(i) * 0.75487767));
-        Sample last_ahead = Sample(vec3(0.0), 0.0, 0.0, 0.0, 0.0), last_behind = last_ahead;
+        float reach2 = reach * reach, jitter = fract(shift + float(i) * 0.61803399);
+        Point own = Point(vec2(0.0), 0.0, false);
+        Side ahead = Side(vec2(nv, -ns * stretch), reach, own, vec2(0.0)), behind = ahead;
+        behind.top.y = ns * stretch;
+        [[unroll]] // a third faster where loops are kept with a mask of active pixels
         for (uint k = 0u; k < steps; ++k) {
-            float s = (float(k) + fract(shift + float(i) * 0.61803399)) / (float(steps) - 0.5); // the last about the radius
-            vec2 offset = vec2(along.x, -along.y) * max(s * s * radius, nearest_step);
-            vec2 centre = vec2(pixel) + 0.5;
-            Sample now_ahead = sample_at(ivec2(floor(centre + offset)), p, n, v);
-            Sample now_behind = sample_at(ivec2(floor(centre - offset)), p, n, v);
-            ahead = max(ahead, horizon_between(last_ahead, now_ahead, reach * reach, tangent_ahead));
-            behind = max(behind, horizon_between(last_behind, now_behind, reach * reach, tangent_behind));
-            last_ahead = now_ahead;
-            last_behind = now_behind;
+            float s = (float(k) + jitter) / (float(steps) - 0.6); // the last about the radius
+            vec2 offset = round(along * max(s * s, nearest_step / radius)), ray_step = offset * pixel_step;
+            vec3 step = vec3(dot(ray_step, side.xy), stretch * dot(ray_step, v.xy), dot(ray_step, n.xy));
+            walk(ahead, seen(distance_at(pixel + ivec2(offset)), z, step, ray_in_slice), reach2);
+            walk(behind, seen(distance_at(pixel - ivec2(offset)), z, vec3(step.x, -step.yz), ray_in_slice), reach2);
         }
-        float h_ahead = acos(clamp(ahead, -1.0, 1.0)), h_behind = -acos(clamp(behind, -1.0, 1.0));
-        sum += weight * (inner_arc(h_ahead, ahead, sqrt(max(0.0, 1.0 - ahead * ahead)), cos_n, sin_n) +
-                         inner_arc(h_behind, behind, -sqrt(max(0.0, 1.0 - behind * behind)), cos_n, sin_n));
+        sum += weight * (hidden(ahead, reach2, nv, ns) + hidden(behind, reach2, nv, -ns));
     }
-    out_ao.x = reckoned(sum / float(slices)); // over 1 in some pixels, so that the mean is right
+    out_ao.x = reckoned(1.0 - sum / float(slices));
 }
