@@ -43,5 +43,5 @@ uint bayer(ivec2 texel)
 /// 1998, "Bilateral Filtering"; Kopf et al. 2007, "Joint Bilateral Upsampling".
 float plane_weight(vec3 p, vec3 normal, vec3 q)
 {
-    return exp(-abs(dot(normal, q - p)) / (0.01 * -p.z));
+    return exp(-abs(dot(normal, q - p)) / (0.005 * -p.z));
 }

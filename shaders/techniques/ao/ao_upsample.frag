@@ -14,8 +14,9 @@ void main()
     out_ao = 1.0;
     if (depth <= 0.0) return;
     vec3 p = ray_of(pixel) * view_distance(depth), n = plane_normal(pixel);
-    ivec2 first = pixel / 2, last = textureSize(halves, 0) - 1;
-    vec2 part = 0.5 * vec2(pixel & 1); // texels stand for even pixels: odd ones lie half way to the next
+    // Texels stand for even pixels; blurred ones, means of two texels before and one after, for the odd pixels before.
+    ivec2 place = pixel + int(push.blur), first = place / 2, last = textureSize(halves, 0) - 1;
+    vec2 part = 0.5 * vec2(place & 1);
     float sum = 0.0, weights = 0.0, nearest = 1e30, fallback = 1.0;
     for (int i = 0; i < 4; ++i) {
         ivec2 step = ivec2(i & 1, i >> 1), texel = min(first + step, last);
