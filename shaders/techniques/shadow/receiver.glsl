@@ -320,7 +320,7 @@ Place place_of(Receiver r)
 float compare(Place place, vec2 to, float depth)
 {
     vec2 uv = place.uv + to;
-    vec3 at = vec3(uv + place.middle, depth);
+    vec3 at = vec3(uv + place.middle, max(depth, 0.0)); // beyond the plane's horizon it is nothing that is hidden
     float seen = textureLod(sampler2DShadow(shadow_map, comparison_samplers[sampler_shadow]), at, 0.0);
     return any(greaterThan(abs(uv), place.half_tile)) ? 1.0 : seen;
 }
@@ -330,5 +330,5 @@ float height_at(Place place, vec2 to, float depth)
 {
     vec2 uv = place.uv + to;
     float d = textureLod(sampler2D(shadow_map, samplers[sampler_nearest_clamp]), uv + place.middle, 0.0).x;
-    return any(greaterThan(abs(uv), place.half_tile)) ? -1.0 : d - depth;
+    return any(greaterThan(abs(uv), place.half_tile)) ? -1.0 : d - max(depth, 0.0);
 }

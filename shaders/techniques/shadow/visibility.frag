@@ -166,6 +166,9 @@ float value_at(ivec2 pixel)
         face.index += 1u;
         shadow.visibility = mix(shadow.visibility, filtered(receiver_in(face, s), pattern).visibility, fade);
     }
+    // Where the surface's plane passes near a rectangle's centre, the map, drawn from there, sees it from the edge or from
+    // below, and knows nothing of what hides the part above.
+    if (light_kind == light_rect) shadow.visibility = mix(1.0, shadow.visibility, smoothstep(0.05, 0.15, s.rise));
     if (shown == show_visibility) return shadow.visibility * share;
     return shown == show_blocker ? shadow.blocker : shadow.penumbra;
 }
