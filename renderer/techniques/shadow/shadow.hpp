@@ -48,9 +48,9 @@ void describe(V& v, ShadowSettings& s)
       "from many points of the light");
     v("resolution", s.resolution, "Side of a light's map; of each cascade and each side of a cube", Range{64, 4096},
       "texels", Cpu{1024});
-    v("samples", s.samples, "Comparisons at each pixel, pcf and pcss", Range{4, 64}, "", Cpu{16});
+    v("samples", s.samples, "Comparisons at each pixel, pcf and pcss", Range{4, 64}, "", Cpu{24});
     v("blocker_samples", s.blocker_samples, "pcss: texels read at each pixel to find what blocks", Range{4, 64}, "",
-      Cpu{8});
+      Cpu{12});
     v("softness", s.softness, "pcss: multiplies the size of every light", Range{0, 10}, "");
     v("radius", s.radius, "pcf: of the disc", Range{0, 64}, "texels");
     v("bias_normal", s.bias_normal, "Moves the shaded point off its surface", Range{0, 8}, "texels");

@@ -93,8 +93,9 @@ Face cube_face(vec3 p)
 {
     vec3 a = abs(p);
     Face f;
-    f.axis = a.x >= a.y && a.x >= a.z ? 0u : a.y >= a.z ? 1u : 2u;
-    f.side = p[f.axis] >= 0.0 ? 1.0 : -1.0;
+    bool x = a.x >= a.y && a.x >= a.z, y = a.y >= a.z;
+    f.axis = x ? 0u : y ? 1u : 2u;
+    f.side = (x ? p.x : y ? p.y : p.z) >= 0.0 ? 1.0 : -1.0; // no index: it would put p into memory
     f.index = 2u * f.axis + (f.side < 0.0 ? 1u : 0u);
     return f;
 }

@@ -70,17 +70,17 @@ Blockers find_blockers(Receiver r, Place place, LightOnMap light, float k, Patte
 {
     float wide = light.radius * k, close = min(sqrt(least_search * wide) / wide, 1.0);
     Taps taps = taps_at(r, light.spans * pattern.turn, k);
-    float top = k * push.height_per_spread, least = 0.005 * top, weight = 0.0;
+    float top = k * push.height_per_spread, least = 0.005 * top, per_top = 1.0 / top, per_close = per_top / close, weight = 0.0;
     float plane = r.depth + r.bias + plane_error(r, wide);
     Blockers sums = Blockers(0.0, 0.0, 0.0);
     add_blocker(sums, weight, height_at(place, vec2(0.0), plane), least, 1.0);
     for (uint i = 0u; i < blocker_count; ++i) {
         LightSample s = light_sample(i, pattern);
-        float share = (i & 1u) == 1u ? close : 1.0;
-        vec2 at = s.at * share;
+        bool near = (i & 1u) == 1u;
+        vec2 at = near ? s.at * close : s.at;
         float height = height_at(place, taps.steps * at, plane + dot(taps.rise, at));
         // What is far out and low cannot hide the light.
-        add_blocker(sums, weight, height, least, height * s.inverse_rim / (share * top));
+        add_blocker(sums, weight, height, least, height * s.inverse_rim * (near ? per_close : per_top));
     }
     return Blockers(sums.height / weight, max(sums.count / sums.low_height - least, 0.0), sums.count);
 }
