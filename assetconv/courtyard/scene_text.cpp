@@ -47,7 +47,8 @@ std::string scene_text()
             continue;
         }
         text += fmt::format("\n[[light]]\ntype = \"point\"\nname = \"lantern_{}_{}\"\nposition = {}\n"
-                            "color = [1.0, 0.62, 0.28]\nintensity = 6.0\nsize = 0.1\nrange = 9.0\n",
+                            "color = [1.0, 0.62, 0.28]\nintensity = 6.0\nsize = 0.1\nrange = 9.0\n"
+                            "shadow = false # it stands within glass that would hide it\n",
                             sides()[static_cast<std::size_t>(lantern.side)].name, lantern.bay,
                             vector(lantern_position(lantern)));
     }
