@@ -134,8 +134,8 @@ TEST(light_points, seen_from_anywhere_they_fill_the_disc_evenly)
             ++rings[std::min<std::size_t>(3, static_cast<std::size_t>(4 * glm::dot(on, on)))]; // of equal areas
             ++sectors[static_cast<std::size_t>(8 * (std::atan2(on.y, on.x) / (2 * pi) + 0.5f)) % 8];
         }
-        for (const int n : rings) EXPECT_NEAR(n, count / 4, count * 0.01);
-        for (const int n : sectors) EXPECT_NEAR(n, count / 8, count * 0.01);
+        for (const int n : rings) EXPECT_NEAR(n, count / 4.0, count * 0.01);
+        for (const int n : sectors) EXPECT_NEAR(n, count / 8.0, count * 0.01);
     }
 }
 
