@@ -365,6 +365,25 @@ TEST(shadow, only_so_many_lights_cast_and_those_switched_off_do_not)
     EXPECT_EQ(least(got[2]), 1);
 }
 
+TEST(shadow, without_an_extent_pcss_is_nearly_hard)
+{
+    rig::FrameRig rig(truth::plate_over_floor(1.5f));
+    rig.look({-2.5f, 1.0f, 0.5f}, {0.3f, 0, 0}, 60);
+    rig.light("spot,position=0.4:4:0.8,direction=-0.2:-1:-0.4,outer=40,size=0.3");
+    rig.light("sun,angle=0");
+    rig.set("shadow.softness", "0");
+    set_filter(rig, "hard");
+    const std::vector<ImageF> hard = rig.aovs({"visibility.0", "visibility.1"});
+    set_filter(rig, "pcss");
+    const std::vector<ImageF> soft = rig.aovs({"visibility.0", "visibility.1"});
+    for (std::size_t light = 0; light < 2; ++light) {
+        double difference = 0;
+        for (std::size_t i = 0; i < hard[light].values.size(); ++i)
+            difference += static_cast<double>(std::abs(hard[light].values[i] - soft[light].values[i]));
+        EXPECT_LT(difference / static_cast<double>(hard[light].values.size()), 0.005) << light;
+    }
+}
+
 TEST(shadow, maps_tell_distances_and_shrink_to_the_budget)
 {
     rig::FrameRig rig(truth::floor_scene());

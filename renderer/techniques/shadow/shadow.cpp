@@ -10,6 +10,8 @@ namespace {
 
 using gpu::Format;
 
+constexpr float least_size = 1e-5f; ///< of a light for the filter, m or tangent: it divides by it
+
 shared::VisibilityPush push_of(const ShadowMap& map, const Light& light, const ShadowSettings& s)
 {
     const LightAxes axes = axes_of(light);
@@ -42,6 +44,9 @@ shared::VisibilityPush push_of(const ShadowMap& map, const Light& light, const S
         p.range = 0;
         break;
     }
+    p.size = std::max(p.size, least_size);
+    p.half_width = std::max(p.half_width, least_size);
+    p.half_height = std::max(p.half_height, least_size);
     p.side = static_cast<float>(map.side);
     p.faces = map.face_count;
     p.first_face = map.first_face;

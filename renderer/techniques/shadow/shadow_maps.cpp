@@ -1,5 +1,6 @@
 #include "renderer/techniques/shadow/shadow_maps.hpp"
 
+#include "renderer/core/log.hpp"
 #include "renderer/materials/material_class.hpp"
 #include "renderer/techniques/shadow/light_points.hpp"
 #include "renderer/techniques/shadow/sample_sets.hpp"
@@ -65,6 +66,20 @@ std::uint32_t affordable_side(std::span<const Light> lights, std::span<const std
     return side;
 }
 
+/// What a user should know of maps that are not as asked for; empty: all are.
+std::string smaller_or_fewer(std::span<const Light> lights, const ShadowSettings& s, std::uint32_t side)
+{
+    std::string text;
+    const auto casting = std::count_if(lights.begin(), lights.end(), [](const Light& l) { return l.shadow; });
+    if (casting > s.max_lights)
+        text = fmt::format("{} lights cast shadows, of which shadow.max_lights takes the first {}\n", casting,
+                           s.max_lights);
+    if (side != static_cast<std::uint32_t>(s.resolution))
+        text += fmt::format("shadow maps have {} texels instead of {}: shadow.budget is {} MiB\n", side, s.resolution,
+                            s.budget);
+    return text;
+}
+
 bool same(const shared::ShadowFace& a, const shared::ShadowFace& b)
 {
     return a.x == b.x && a.y == b.y && a.z == b.z && a.scale == b.scale;
@@ -108,6 +123,12 @@ void ShadowMaps::resize(Slot& slot, std::uint32_t side, std::uint32_t faces)
     slot.ranges =
         gpu::Buffer(device_, "shadow depth ranges", faces * cells * cells * 4 / 3 * sizeof(vec2) + sizeof(vec2),
                     VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::MemoryUse::device);
+}
+
+void ShadowMaps::tell(const std::string& text)
+{
+    if (text != told_ && !text.empty()) log_info(text.substr(0, text.size() - 1));
+    told_ = text;
 }
 
 void ShadowMaps::write_samples(int blocker_samples, int samples)
@@ -265,6 +286,7 @@ ShadowMapSet ShadowMaps::add(graph::Graph& g, const ShadowCasters& casters, std:
     ShadowMapSet out;
     if (shadowed.empty()) return out;
     const std::uint32_t side = affordable_side(lights, shadowed, s, device_.report().widest_image);
+    tell(smaller_or_fewer(lights, s, side));
     std::vector<LightFaces> all;
     for (const std::uint32_t i : shadowed)
         all.push_back(

@@ -41,6 +41,7 @@ private:
         bool used = false; ///< by a frame before
     };
     void resize(Slot& slot, std::uint32_t side, std::uint32_t faces);
+    void tell(const std::string& text);
     void write_samples(int blocker_samples, int samples);
     void write_faces(const std::vector<LightFaces>& all);
 
@@ -48,6 +49,7 @@ private:
     std::vector<Slot> slots_;
     gpu::Buffer faces_, disc_samples_, square_samples_, reference_faces_;
     int blocker_samples_ = 0, samples_ = 0; ///< in the buffers
+    std::string told_;                      ///< what was said last of maps that are smaller or fewer than asked for
 };
 
 } // namespace atrium
