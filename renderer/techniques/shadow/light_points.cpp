@@ -57,7 +57,7 @@ float light_extent(const Light& light, float softness)
     case LightType::sun:
         return softness * std::tan(glm::radians(0.5f * light.angle));
     case LightType::rect:
-        return softness * 0.5f * std::max(light.width, light.height);
+        return softness * 0.5f * glm::length(vec2(light.width, light.height));
     default:
         return softness * light.size;
     }

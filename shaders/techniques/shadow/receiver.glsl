@@ -59,6 +59,9 @@ bool reached(Surfel s)
     return light_kind != light_rect || p.z > 0.0;
 }
 
+/// How far a rectangle reaches from its centre across the surface's plane, m.
+float extent_across(Surfel s) { return abs(s.n.x) * push.half_width + abs(s.n.y) * push.half_height; }
+
 /// Share of the light, a disc that faces the surface, that lies above the surface's own plane. Of rectangles lighting
 /// takes the part above; theirs is 1 or 0.
 float share_above_horizon(Surfel s)
@@ -66,8 +69,7 @@ float share_above_horizon(Surfel s)
     if (shadow_filter != shadow_pcss) return s.rise > 0.0 ? 1.0 : 0.0;
     float height = s.rise * s.distance;
     if (light_kind == light_rect) {
-        float extent = abs(s.n.x) * push.half_width + abs(s.n.y) * push.half_height;
-        return height + extent > 0.0 ? 1.0 : 0.0;
+        return height + extent_across(s) > 0.0 ? 1.0 : 0.0;
     }
     if (height >= push.size) return 1.0;
     float x = clamp(height / max(push.size * sqrt(max(1.0 - s.rise * s.rise, 0.0)), 1e-6), -1.0, 1.0);

@@ -166,9 +166,12 @@ float value_at(ivec2 pixel)
         face.index += 1u;
         shadow.visibility = mix(shadow.visibility, filtered(receiver_in(face, s), pattern).visibility, fade);
     }
-    // Where the surface's plane passes near a rectangle's centre, the map, drawn from there, sees it from the edge or from
-    // below, and knows nothing of what hides the part above.
-    if (light_kind == light_rect) shadow.visibility = mix(1.0, shadow.visibility, smoothstep(0.05, 0.15, s.rise));
+    // Where the surface's plane cuts a rectangle, the map, drawn from its centre, knows the less of what hides the part above
+    // the nearer to the centre it does.
+    if (light_kind == light_rect && shadow_filter == shadow_pcss) {
+        float above = s.rise * s.distance / max(extent_across(s), 1e-6);
+        shadow.visibility = mix(1.0, shadow.visibility, clamp(above, 0.0, 1.0));
+    }
     if (shown == show_visibility) return shadow.visibility * share;
     return shown == show_blocker ? shadow.blocker : shadow.penumbra;
 }
