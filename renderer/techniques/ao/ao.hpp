@@ -33,7 +33,7 @@ void describe(V& v, AoSettings& s)
     v.group("ao", "Ambient occlusion");
     v("method", s.method, "How it is reckoned: points in a half ball (ssao) or horizons (gtao)");
     v("radius", s.radius, "How far away things still darken", Range{0.01f, 50}, "m");
-    v("samples", s.samples, "Depths read at each pixel", Range{2, 128}, "", Cpu{8});
+    v("samples", s.samples, "Depths read at each pixel", Range{2, 128}, "");
     v("falloff", s.falloff, "gtao: share of the radius over which things stop counting; 0: at once", Range{0, 1}, "");
     v("power", s.power, "Exponent of the result; 1: as reckoned", Range{0.1f, 8}, "");
     v("thin", s.thin, "gtao: how thin things are taken to be; 0: endless along the view", Range{0, 4}, "");

@@ -50,16 +50,17 @@ Shadow pcf_shadow(Receiver r, Pattern pattern)
 
 /// What a search for blockers found.
 struct Blockers {
-    float height;     // mean
-    float low_height; // harmonic mean, which the lowest decide
+    float height;     // mean, above the receiver itself: what rays to the light pass
+    float low_height; // harmonic mean above its plane, which the lowest decide
     float count;
 };
 
-void add_blocker(inout Blockers sums, inout float weight, float height, float least, float hides)
+/// `rise`: of the receiver's plane, from the receiver to there.
+void add_blocker(inout Blockers sums, inout float weight, float height, float rise, float least, float hides)
 {
     bool blocks = height > 0.0;
     float w = blocks ? clamp(hides, 0.001, 1.0) : 0.0;
-    sums.height += w * height;
+    sums.height += w * (height + rise);
     weight += w;
     sums.low_height += blocks ? 1.0 / (height + least) : 0.0;
     sums.count += blocks ? 1.0 : 0.0;
@@ -73,16 +74,16 @@ Blockers find_blockers(Receiver r, Place place, LightOnMap light, float k, Patte
     float top = k * push.height_per_spread, least = 0.005 * top, per_top = 1.0 / top, per_close = per_top / close, weight = 0.0;
     float plane = r.depth + r.bias + plane_error(r, wide);
     Blockers sums = Blockers(0.0, 0.0, 0.0);
-    add_blocker(sums, weight, height_at(place, vec2(0.0), plane), least, 1.0);
+    add_blocker(sums, weight, height_at(place, vec2(0.0), plane), 0.0, least, 1.0);
     for (uint i = 0u; i < blocker_count; ++i) {
         LightSample s = light_sample(i, pattern);
         bool near = (i & 1u) == 1u;
         vec2 at = near ? s.at * close : s.at;
-        float height = height_at(place, taps.steps * at, plane + dot(taps.rise, at));
+        float rise = dot(taps.rise, at), height = height_at(place, taps.steps * at, plane + rise);
         // What is far out and low cannot hide the light.
-        add_blocker(sums, weight, height, least, height * s.inverse_rim * (near ? per_close : per_top));
+        add_blocker(sums, weight, height, rise, least, height * s.inverse_rim * (near ? per_close : per_top));
     }
-    return Blockers(sums.height / weight, max(sums.count / sums.low_height - least, 0.0), sums.count);
+    return Blockers(max(sums.height / weight, 0.0), max(sums.count / sums.low_height - least, 0.0), sums.count);
 }
 
 /// Blockers within what the light spans are sought, the penumbra follows from their mean height, and a filter of its size
@@ -102,7 +103,8 @@ Shadow pcss_shadow(Receiver r, Pattern pattern)
     float tilt = length(r.slope) * reach + r.bias + plane_error(r, reach);
     if (range.x <= r.depth - tilt) return lit;
     if (range.y > r.depth + tilt) return Shadow(0.0, linear_z(range.x), 0.0);
-    k = min((range.x - r.depth + tilt) * spread_per_height, k);
+    k = min((range.x - r.depth) * spread_per_height, k);
+    if (k <= 0.0) return lit;
 
     Blockers found = find_blockers(r, place, light, k, pattern);
     if (found.count == 0.0) return lit;
