@@ -44,14 +44,13 @@ void describe(V& v, ShadowSettings& s)
     v.group("shadow", "Shadows");
     v("filter", s.filter,
       "Off, one hard edge, a disc of one size (pcf), as wide as the light makes them (pcss), or the mean of hard "
-      "shadows "
-      "from many points of the light");
+      "shadows from many points of the light");
     v("resolution", s.resolution, "Side of a light's map; of each cascade and each side of a cube", Range{64, 4096},
       "texels", Cpu{1024});
     v("samples", s.samples, "Comparisons at each pixel, pcf and pcss", Range{4, 64}, "", Cpu{24});
     v("blocker_samples", s.blocker_samples, "pcss: texels read at each pixel to find what blocks", Range{4, 64}, "",
       Cpu{12});
-    v("softness", s.softness, "pcss: multiplies the size of every light", Range{0, 10}, "");
+    v("softness", s.softness, "pcss and reference: multiplies the size of every light", Range{0, 10}, "");
     v("radius", s.radius, "pcf: of the disc", Range{0, 64}, "texels");
     v("bias_normal", s.bias_normal, "Moves the shaded point off its surface", Range{0, 8}, "texels");
     v("bias_slope", s.bias_slope, "Moves it towards the light, by what its surface's slope rises in so many texels",
@@ -87,7 +86,7 @@ struct ShadowMapSet {
     graph::Buf disc_samples, square_samples; ///< for blockers, then for the filter
 };
 
-/// What visibility() shows: shared::show_….
+/// What is looked at of a light's shadows: shared::show_….
 using ShadowShown = std::uint32_t;
 
 /// Where a pass of visibility draws.

@@ -7,7 +7,7 @@
 
 const float widest_filter = 1.0 / 8.0; // radius, share of the tile
 const float least_search = 2.0;        // texels: the close search reaches as many times further as the wide one beyond it
-const float even_height = 0.75;       // share of the mean height from which the harmonic mean tells of blockers of one kind
+const float even_height = 0.75;        // share of the mean height from which the harmonic mean tells of blockers of one kind
 const float least_height = 0.15;       // share of a kind's blockers' height from which something hides the light's rim
 
 #include "techniques/shadow/receiver.glsl"
@@ -66,7 +66,7 @@ void add_blocker(inout Blockers sums, inout float weight, float height, float ri
     sums.count += blocks ? 1.0 : 0.0;
 }
 
-/// Searches the map over a spread of `k`, and half as often close around the receiver where something is near.
+/// Searches the map over a spread of `k`, every other time only close around the receiver.
 Blockers find_blockers(Receiver r, Place place, LightOnMap light, float k, Pattern pattern)
 {
     float wide = light.radius * k, close = min(sqrt(least_search * wide) / wide, 1.0);
@@ -87,9 +87,9 @@ Blockers find_blockers(Receiver r, Place place, LightOnMap light, float k, Patte
 }
 
 /// Blockers within what the light spans are sought, the penumbra follows from their mean height, and a filter of its size
-/// is laid over the receiver. As a mean of something high and something low fits neither, half of the samples are points
-/// of the light that are looked for twice: among what is high above the receiver, where rays to them pass the mean
-/// blocker, and among what is low, where they pass the low ones.
+/// is laid over the receiver. A mean of something high and something low fits neither: where both were found, each point
+/// of the light is looked for twice, among what is high above the receiver, where the ray to it passes the mean blocker,
+/// and among what is low, where it passes the low ones.
 Shadow pcss_shadow(Receiver r, Pattern pattern)
 {
     LightOnMap light = light_on_map(r);
