@@ -198,14 +198,11 @@ void add_tiles(graph::Graph& g, const std::string& name, const ShadowCasters& ca
             const uvec2 origin(tile.index * side, 0);
             cmd.viewport(origin, uvec2(side));
             if (!all) cmd.clear_depth(origin, uvec2(side), 0);
-            const DrawRange* last = nullptr;
-            std::size_t pipeline = 0;
-            for (const DrawRange& range : ranges) {
-                if (!last || last->cls != range.cls) cmd.bind(pipeline++);
+            draw_ranges(cmd, ranges, [&](std::uint32_t first, std::uint32_t count) {
+                cmd.cull(graph::CullMode::none);
                 cmd.push(shared::ShadowDrawPush{tile.face, perspective, depth_scale});
-                cmd.draw_indexed_indirect(commands, tile.first_command + range.first, range.count);
-                last = &range;
-            }
+                cmd.draw_indexed_indirect(commands, tile.first_command + first, count);
+            });
         }
     });
 }
