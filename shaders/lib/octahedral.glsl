@@ -20,10 +20,14 @@ vec3 oct_decode(vec2 e)
     return normalize(n);
 }
 
+/// The largest number that fields of so many bits are used for: even, for then 0 is among the coordinates, and normals along
+/// the axes, which most large planes have, come back exact.
+uint oct_top(uint bits) { return (1u << bits) - 2u; }
+
 /// Two unsigned fixed-point fields of `bits` bits each, x in the low ones.
 uint oct_pack(vec3 n, uint bits)
 {
-    float top = float((1u << bits) - 1u);
+    float top = float(oct_top(bits));
     uvec2 q = uvec2(ivec2((oct_encode(n) * 0.5 + 0.5) * top + 0.5)); // signed: CPUs convert no unsigned numbers
     return q.x | (q.y << bits);
 }
@@ -31,7 +35,7 @@ uint oct_pack(vec3 n, uint bits)
 vec3 oct_unpack(uint packed, uint bits)
 {
     uint mask = (1u << bits) - 1u;
-    return oct_decode(vec2(ivec2(packed & mask, (packed >> bits) & mask)) * (2.0 / float(mask)) - 1.0);
+    return oct_decode(vec2(ivec2(packed & mask, (packed >> bits) & mask)) * (2.0 / float(oct_top(bits))) - 1.0);
 }
 
 /// A vertex tangent: x 16 bits, y 15 bits, bit 31 the handedness. Returns (tangent, w).

@@ -44,6 +44,10 @@ const uint shadow_hard = 0, shadow_pcf = 1, shadow_pcss = 2; // filters
 // What can be looked at: the shader of visibility writes the first four.
 const uint show_visibility = 0, show_blocker = 1, show_penumbra = 2, show_cascade = 3, show_map = 4;
 
+// Over which pixels visibility may be averaged, as the penumbra is wide in the picture: its own alone, 4 x 2 or 2 x 4 where
+// the surface is seen too steeply for more, 4 x 4.
+const float blur_none = 0, blur_row = 1, blur_column = 2, blur_full = 3;
+
 struct VisibilityPush {
     vec3 position;           // m; not of a sun
     float near;              // m: depth is near / z; sun: where it is 1, along its axis

@@ -121,6 +121,9 @@ TEST(shader_functions, octahedral_normals_match_the_converter_and_come_back)
         EXPECT_LT(angle_between(n, results()[i].normal16), 1e-4) << i; // 16 bits: 0.003 degrees
         EXPECT_LT(angle_between(n, results()[i].normal12), 1e-3) << i; // 12 bits: 0.04 degrees
         EXPECT_NEAR(glm::length(results()[i].normal16), 1.0f, 1e-5f) << i;
+        if (i < 6) {
+            EXPECT_EQ(glm::round(n), results()[i].normal12) << i; // along an axis
+        }
     }
 }
 

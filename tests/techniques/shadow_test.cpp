@@ -128,7 +128,7 @@ Profile profile_of(const ImageF& positions, const ImageF& visibility, double wid
 
 TEST(shadow, an_edge_s_penumbra_has_the_width_of_the_closed_form)
 {
-    constexpr float height = 4; // of the light
+    constexpr float height = 4; // of lights
     for (const float ratio : {0.3f, 0.5f, 0.7f, 0.9f}) {
         rig::FrameRig rig(truth::plate_over_floor(height * (1 - ratio)));
         rig.request.size = {640, 360};
@@ -141,12 +141,18 @@ TEST(shadow, an_edge_s_penumbra_has_the_width_of_the_closed_form)
             if (size > 1) continue;
             const float away = std::clamp(4 * width, 0.1f, 1.2f); // near enough for many pixels in a narrow one
             rig.look({-away, 0.2f * away, 0}, {0.1f * away, 0, 0}, 70);
-            rig.request.lights.clear();
-            rig.light("spot,position=0:4:0,outer=40,size=" + std::to_string(size));
-            const std::vector<ImageF> got = rig.aovs({"position", "visibility.0"});
-            const Profile profile = profile_of(got[0], got[1], static_cast<double>(width));
-            const double reached = std::abs(profile.where(0.9) - profile.where(0.1));
-            EXPECT_NEAR(reached / (0.687 * static_cast<double>(width)), 1, 0.1) << ratio << ", " << texels << " texels";
+            const std::string square = std::to_string(2 * size);
+            const std::pair<std::string, double> lights[]{
+                {"spot,position=0:4:0,outer=40,size=" + std::to_string(size), 0.687},
+                {"rect,position=0:4:0,width=" + square + ",height=" + square, 0.8}};
+            for (const auto& [light, share] : lights) {
+                rig.request.lights.clear();
+                rig.light(light);
+                const std::vector<ImageF> got = rig.aovs({"position", "visibility.0"});
+                const Profile profile = profile_of(got[0], got[1], static_cast<double>(width));
+                const double reached = std::abs(profile.where(0.9) - profile.where(0.1));
+                EXPECT_NEAR(reached / (share * static_cast<double>(width)), 1, 0.1) << light << ", " << ratio;
+            }
         }
     }
 }
@@ -170,7 +176,7 @@ public:
         rig_.set("shadow.filter", "pcf");
         rig_.set("shadow.samples", "48");
         double best = 1;
-        for (const int radius : {3, 6, 10, 16, 24, 36, 54}) {
+        for (const int radius : {3, 6, 10, 16, 20, 24, 28, 32, 36, 44, 54}) {
             rig_.set("shadow.radius", std::to_string(radius));
             best = std::min(best, error().penumbra_rmse);
         }
@@ -260,6 +266,38 @@ TEST(shadow, pcss_is_nearer_to_rays_than_any_disc_of_one_size_in_sponza)
     rig.look({-11.5f, 1.7f, -0.4f}, {10, 3.5f, -0.4f});
     expect_softer_than_one_size(rig, "spot,position=0:6:-0.4,direction=-0.5:-1:0.3,outer=45,inner=30,size=0.3", 0.75);
     expect_softer_than_one_size(rig, "point,position=-6:3:0.5,size=0.2", 0.75);
+}
+
+TEST(shadow, a_penumbra_of_one_width_has_less_noise_than_a_disc_of_just_that_size)
+{
+    rig::FrameRig rig(truth::plate_over_floor(1.5f));
+    rig.request.size = {480, 270};
+    rig.look({-1.5f, 2, 0.5f}, {0.3f, 0, 0}, 60);
+    expect_softer_than_one_size(rig, "spot,position=0:4:0,outer=40,size=0.2", 0.6, 1024);
+    expect_softer_than_one_size(rig, "sun,angle=4", 0.6, 1024);
+}
+
+TEST(shadow, the_blur_leaves_what_lies_behind_an_edge)
+{
+    rig::FrameRig rig(truth::box_on_floor(0.5f));
+    rig.request.size = {640, 360};
+    rig.look({2.5f, 2.2f, 1.1f}, {0, 0.5f, 0}, 40);
+    rig.light("spot,position=2:6:0,direction=-2:-6:0,outer=40,size=0.8");
+    set_filter(rig, "pcss");
+    const std::vector<ImageF> got = rig.aovs({"position", "visibility.0"});
+    int top = 0, dark = 0;
+    for (int y = 0; y < 360; ++y) {
+        for (int x = 0; x < 640; ++x) {
+            const float height = got[0].at(x, y)[1], seen = *got[1].at(x, y);
+            top += height > 0.9999f ? 1 : 0;
+            dark += height < 1e-3f && seen < 0.5f ? 1 : 0;
+            if (height > 0.9999f) {
+                ASSERT_EQ(seen, 1) << x << "," << y; // however dark the floor beyond is
+            }
+        }
+    }
+    EXPECT_GT(top, 10000);
+    EXPECT_GT(dark, 1000);
 }
 
 TEST(shadow, the_reference_converges_to_rays)

@@ -163,9 +163,8 @@ std::vector<vec2> square_samples(int count, std::uint64_t seed)
     return {points.begin(), points.end()};
 }
 
-void even_out_radii(std::vector<vec2>& disc)
+void even_out_radii(std::vector<vec2>& disc, float share)
 {
-    constexpr float share = 0.7f; // all of the way would bring points too close to each other
     std::vector<std::size_t> by_radius(disc.size());
     std::iota(by_radius.begin(), by_radius.end(), std::size_t{0});
     std::stable_sort(by_radius.begin(), by_radius.end(), [&](std::size_t a, std::size_t b) {

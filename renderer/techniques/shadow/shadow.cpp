@@ -72,6 +72,11 @@ std::uint32_t shader_filter(ShadowFilter filter)
 
 } // namespace
 
+int samples_before_blur(const ShadowSettings& s)
+{
+    return std::max(s.samples / 2, 4);
+}
+
 std::vector<std::uint32_t> shadowed_lights(std::span<const Light> lights, const ShadowSettings& s)
 {
     std::vector<std::uint32_t> out;
@@ -89,8 +94,12 @@ void add_visibility(graph::Graph& g, const GBuffer& gb, const ShadowMapSet& set,
     state.vertex = "lib/fullscreen.vert";
     state.fragment = "techniques/shadow/visibility.frag";
     state.blend = target.load == graph::Load::discard ? gpu::Blend::off : gpu::Blend::add;
-    state.constants = {static_cast<std::uint32_t>(light.type), shader_filter(s.filter),
-                       static_cast<std::uint32_t>(s.blocker_samples), static_cast<std::uint32_t>(s.samples), shown};
+    state.constants = {static_cast<std::uint32_t>(light.type),
+                       shader_filter(s.filter),
+                       static_cast<std::uint32_t>(s.blocker_samples),
+                       static_cast<std::uint32_t>(s.samples),
+                       shown,
+                       static_cast<std::uint32_t>(target.blurred ? samples_before_blur(s) : 0)};
     shared::VisibilityPush push = push_of(map, light, s);
     push.weight = target.weight;
     const vec3 apart = light.position - target.centre.value_or(light.position);
@@ -123,10 +132,26 @@ graph::Tex add_all_visibility(graph::Graph& g, const GBuffer& gb, const ShadowMa
 {
     if (set.maps.empty()) return {};
     const graph::Tex visibility = create_visibility(g, gb, set.maps.size());
+    graph::TexDesc one_layer = g.desc(visibility);
+    one_layer.layers = 1;
+    const bool blurred = s.filter == ShadowFilter::pcss && s.blur;
     for (std::uint32_t i = 0; i < set.maps.size(); ++i) {
         const ShadowMap& map = set.maps[i];
-        add_visibility(g, gb, set, map, lights[map.light], s, shared::show_visibility,
-                       {fmt::format("visibility.{}", map.light), visibility, i});
+        VisibilityTarget target{fmt::format("visibility.{}", map.light), visibility, i};
+        if (blurred) {
+            target.image = g.texture(target.pass + ".raw", one_layer);
+            target.layer = 0;
+            target.blurred = true;
+        }
+        add_visibility(g, gb, set, map, lights[map.light], s, shared::show_visibility, target);
+        if (blurred) {
+            g.raster(target.pass + ".blur")
+                .reads(target.image)
+                .reads(gb.depth)
+                .reads(gb.normal)
+                .writes_layer(visibility, i)
+                .fullscreen("techniques/shadow/visibility_blur.frag");
+        }
     }
     return visibility;
 }

@@ -26,6 +26,7 @@ struct ShadowSettings {
     int resolution = 2048;
     int samples = 32;
     int blocker_samples = 16;
+    bool blur = true;
     float softness = 1;
     float radius = 2;
     float bias_normal = 0.1f;
@@ -50,6 +51,8 @@ void describe(V& v, ShadowSettings& s)
     v("samples", s.samples, "Comparisons at each pixel, pcf and pcss", Range{4, 64}, "", Cpu{24});
     v("blocker_samples", s.blocker_samples, "pcss: texels read at each pixel to find what blocks", Range{4, 64}, "",
       Cpu{12});
+    v("blur", s.blur,
+      "pcss: where a penumbra is wide in the picture, halve its comparisons and take the noise out with 4 x 4 pixels");
     v("softness", s.softness, "pcss and reference: multiplies the size of every light", Range{0, 10}, "");
     v("radius", s.radius, "pcf: of the disc", Range{0, 64}, "texels");
     v("bias_normal", s.bias_normal, "Moves the shaded point off its surface", Range{0, 8}, "texels");
@@ -64,6 +67,9 @@ void describe(V& v, ShadowSettings& s)
     v("reference_points", s.reference_points, "reference: points of each light; fewer where many lights share a frame",
       Range{1, 1024}, "");
 }
+
+/// pcss: comparisons at a pixel that will be averaged with 15 others.
+[[nodiscard]] int samples_before_blur(const ShadowSettings& s);
 
 /// Indices of the lights that cast shadows, in order: their places among the layers of visibility.
 [[nodiscard]] std::vector<std::uint32_t> shadowed_lights(std::span<const Light> lights, const ShadowSettings& s);
@@ -83,7 +89,7 @@ struct ShadowMap {
 struct ShadowMapSet {
     std::vector<ShadowMap> maps;
     graph::Buf faces;                        ///< ShadowFace of all maps
-    graph::Buf disc_samples, square_samples; ///< for blockers, then for the filter
+    graph::Buf disc_samples, square_samples; ///< for blockers, the filter, the filter before a blur
 };
 
 /// What is looked at of a light's shadows: shared::show_….
@@ -97,6 +103,7 @@ struct VisibilityTarget {
     graph::Load load = graph::Load::discard; ///< else added to, times `weight`
     float weight = 1;
     std::optional<vec3> centre; ///< m, world: of the light that this one is a point of; it reaches as far
+    bool blurred = false;       ///< written for a blur: 2 shared::blur_… are added
 };
 
 /// Reads  the G-buffer's depth and geometric normal, one map.  Writes  a layer of the target.
@@ -106,7 +113,8 @@ void add_visibility(graph::Graph& g, const GBuffer& gb, const ShadowMapSet& set,
 /// An image (R32F) with a layer for each of so many lights.
 [[nodiscard]] graph::Tex create_visibility(graph::Graph& g, const GBuffer& gb, std::size_t lights);
 
-/// Visibility of every light of the set: layer i of the image is that of maps[i]. Passes `visibility.L`.
+/// Visibility of every light of the set: layer i of the image is that of maps[i]. Passes
+/// `visibility.L`, `visibility.L.blur`.
 [[nodiscard]] graph::Tex add_all_visibility(graph::Graph& g, const GBuffer& gb, const ShadowMapSet& set,
                                             std::span<const Light> lights, const ShadowSettings& s);
 

@@ -131,28 +131,28 @@ void ShadowMaps::tell(const std::string& text)
     told_ = text;
 }
 
-void ShadowMaps::write_samples(int blocker_samples, int samples)
+void ShadowMaps::write_samples(const ShadowSettings& s)
 {
-    if (blocker_samples == blocker_samples_ && samples == samples_) return;
-    blocker_samples_ = blocker_samples;
-    samples_ = samples;
-    const auto both = [&](auto make) {
+    const std::array counts{s.blocker_samples, s.samples, samples_before_blur(s)};
+    if (counts == sample_counts_) return;
+    sample_counts_ = counts;
+    const auto all_of = [&](auto make) {
         std::vector<vec4> all; // with their distances from the middle, and one over those
-        for (const auto& [count, seed] : {std::pair{blocker_samples, sample_seed}, {samples, sample_seed + 1}}) {
-            for (const vec2& s : make(count, seed)) {
-                const float rim = glm::length(s);
-                all.emplace_back(s, rim, 1 / std::max(rim, 1e-3f));
+        for (std::size_t i = 0; i < counts.size(); ++i) {
+            for (const vec2& at : make(counts[i], i == 0 ? sample_seed : sample_seed + 1, i == 2)) {
+                const float rim = glm::length(at);
+                all.emplace_back(at, rim, 1 / std::max(rim, 1e-3f));
             }
         }
         return all;
     };
-    const std::vector<vec4> disc = both([](int count, std::uint64_t seed) {
+    const std::vector<vec4> disc = all_of([](int count, std::uint64_t seed, bool blurred) {
         std::vector<vec2> set = disc_samples(count, seed);
-        even_out_radii(set);
+        even_out_radii(set, blurred ? 1.0f : 0.7f);
         return set;
     });
-    std::vector<vec4> square = both(square_samples);
-    for (vec4& s : square) s = s * 0.5f + 0.5f; // 0 to 1: shifted there
+    std::vector<vec4> square = all_of([](int count, std::uint64_t seed, bool) { return square_samples(count, seed); });
+    for (vec4& at : square) at = at * 0.5f + 0.5f; // 0 to 1: shifted there
     disc_samples_ = make_buffer(device_, "disc samples", disc.size() * sizeof(vec4));
     square_samples_ = make_buffer(device_, "square samples", square.size() * sizeof(vec4));
     write(disc_samples_, disc);
@@ -289,7 +289,7 @@ ShadowMapSet ShadowMaps::add(graph::Graph& g, const ShadowCasters& casters, std:
         all.push_back(
             light_faces(lights[i], casters.bounds, {camera, aspect, s.cascades, side}, extent_of(lights[i], s)));
     write_faces(all);
-    write_samples(s.blocker_samples, s.samples);
+    write_samples(s);
     out.faces = g.import("shadow.faces", faces_);
     out.disc_samples = g.import("shadow.disc_samples", disc_samples_);
     out.square_samples = g.import("shadow.square_samples", square_samples_);

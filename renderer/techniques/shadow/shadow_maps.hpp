@@ -42,14 +42,14 @@ private:
     };
     void resize(Slot& slot, std::uint32_t side, std::uint32_t faces);
     void tell(const std::string& text);
-    void write_samples(int blocker_samples, int samples);
+    void write_samples(const ShadowSettings& s);
     void write_faces(const std::vector<LightFaces>& all);
 
     const gpu::Device& device_;
     std::vector<Slot> slots_;
     gpu::Buffer faces_, disc_samples_, square_samples_, reference_faces_;
-    int blocker_samples_ = 0, samples_ = 0; ///< in the buffers
-    std::string told_;                      ///< what was said last of maps that are smaller or fewer than asked for
+    std::array<int, 3> sample_counts_{}; ///< in the buffers
+    std::string told_;                   ///< what was said last of maps that are smaller or fewer than asked for
 };
 
 } // namespace atrium

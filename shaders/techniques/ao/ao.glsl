@@ -4,6 +4,7 @@
 // of the pixel that it was reckoned for; of a half-size image that is the upper left of four, never an average of them.
 #include "lib/frame.glsl"
 #include "lib/gbuffer.glsl"
+#include "lib/noise.glsl"
 #include "shared/ao.h"
 
 layout(push_constant, scalar) uniform Push { AoPush push; };
@@ -30,14 +31,6 @@ float reckoned(float ao) { return push.blur == 1u ? ao : finished(ao); }
 
 /// The pixel that a texel of an AO image stands for.
 ivec2 pixel_of(ivec2 texel) { return texel * int(push.scale); }
-
-/// 0 to 15, each once in every 4 x 4 texels, neighbours far apart. Source: Bayer 1973, "An Optimum Method for Two-Level
-/// Rendition of Continuous-Tone Pictures".
-uint bayer(ivec2 texel)
-{
-    uint x = uint(texel.x), y = uint(texel.y), d = x ^ y;
-    return (d & 1u) << 3 | (y & 1u) << 2 | (d & 2u) | (y & 2u) >> 1;
-}
 
 /// How alike two surfaces are, by the distance of `q` from the plane through `p`, m. Source: Tomasi, Manduchi
 /// 1998, "Bilateral Filtering"; Kopf et al. 2007, "Joint Bilateral Upsampling".

@@ -17,10 +17,12 @@ layout(constant_id = 1) const uint shadow_filter = shadow_pcss;
 layout(constant_id = 2) const uint blocker_count = 16;
 layout(constant_id = 3) const uint sample_count = 32;
 layout(constant_id = 4) const uint shown = show_visibility;
+layout(constant_id = 5) const uint blurred_count = 0; // samples of a pixel that is to be blurred; 0: none is
 
 layout(PASS_IMAGE(6)) uniform texture2D shadow_map;
 layout(PASS_BUFFER(0), scalar) readonly buffer Faces { ShadowFace faces[]; };
-layout(PASS_BUFFER(1), scalar) readonly buffer Samples { vec4 sample_table[]; }; // for blockers, then for the filter
+// For the search for blockers, then for the filter, then for the filter of what is to be blurred.
+layout(PASS_BUFFER(1), scalar) readonly buffer Samples { vec4 sample_table[]; };
 layout(PASS_BUFFER(2), scalar) readonly buffer Ranges { vec2 ranges[]; };
 layout(push_constant, scalar) uniform Push { VisibilityPush push; };
 
@@ -35,14 +37,27 @@ struct Surfel {
     vec3 n;         // unit normal of the triangle's plane, towards the camera
     float distance; // from the light, m; sun: 1
     float rise;     // cosine between the normal and the direction to the light
+    vec2 spacing2;  // of pixels on it, across and down the picture, m, squared; where it is to be blurred
 };
+
+/// Between neighbouring pixels' points on a plane with this normal, across and down the picture, m, squared.
+vec2 pixel_spacing2(vec3 n, vec3 ray, float distance)
+{
+    vec2 along = vec2(dot(ray, frame.right), dot(ray, frame.up));
+    vec2 scale = 2.0 * distance * vec2(frame.tan_x, frame.tan_y) * frame.inv_size;
+    vec2 tilt = vec2(dot(n, frame.right), dot(n, frame.up)) / dot(n, ray);
+    return (1.0 + tilt * (tilt * dot(ray, ray) - 2.0 * along)) * scale * scale;
+}
 
 Surfel fetch_surfel(ivec2 pixel, float depth)
 {
-    vec3 p = frame.eye + view_ray(gl_FragCoord.xy) * view_distance(depth);
+    float z = view_distance(depth);
+    vec3 ray = view_ray(gl_FragCoord.xy), p = frame.eye + ray * z;
+    vec3 n = oct_unpack(texelFetch(gbuffer_normal, pixel, 0).y, 12u);
     Surfel s;
     s.p = to_light_space(perspective ? p - push.position : p);
-    s.n = to_light_space(oct_unpack(texelFetch(gbuffer_normal, pixel, 0).y, 12u));
+    s.n = to_light_space(n);
+    s.spacing2 = blurred_count > 0u ? pixel_spacing2(n, ray, z) : vec2(0.0);
     s.distance = perspective ? length(s.p) : 1.0;
     s.rise = perspective ? -dot(s.n, s.p) / s.distance : -s.n.z;
     return s;
@@ -139,12 +154,14 @@ struct Receiver {
     float bias;   // added to depth where it is compared with texels up to half a one away
     vec2 tangent; // perspective: of the direction from the light
     float texels; // half a tile, per tangent or (sun) m
+    vec2 spacing2; // as the surfel's
 };
 
 Receiver receiver_in(Face face, Surfel s)
 {
     Receiver r;
     r.face = face;
+    r.spacing2 = s.spacing2;
     vec3 p = to_face(face, s.p), n = to_face(face, s.n);
     float scale = push.scale;
     if (!perspective) on_cascade(face.index, s.p, scale);
@@ -185,7 +202,11 @@ vec2 texel_size() { return vec2(1.0 / (push.side * float(push.faces)), 1.0 / pus
 
 /// What the receiver's plane may be off by so many texels away, in depth: the G-buffer rounds normals to 12 bits, and the
 /// steeper the plane, the more that matters.
-float plane_error(Receiver r, float texels) { return 0.003 * texels * (abs(r.slope.x) + abs(r.slope.y)); }
+float plane_error(Receiver r, float texels)
+{
+    float facing = (perspective ? r.depth : push.height_per_spread) / r.texels; // slope of a plane at 45 degrees
+    return texels * (0.0003 * facing + 0.003 * (abs(r.slope.x) + abs(r.slope.y)));
+}
 
 /// In the image, of a point of the face's tile.
 vec2 map_uv(Receiver r, vec2 texel)
@@ -259,7 +280,8 @@ float penumbra_width(Receiver r, float k)
     return 2.0 * size * k * (perspective ? r.z : 1.0);
 }
 
-/// What tells pixels' samples apart: discs are turned, squares shifted across their borders.
+/// What tells pixels' samples apart: discs are turned, squares shifted across their borders. In any 4 x 4 pixels, which a
+/// blur will average, each sixteenth of what there is is taken once.
 struct Pattern {
     mat2 turn;
     vec2 shift;
@@ -268,7 +290,8 @@ struct Pattern {
 Pattern pixel_pattern()
 {
     float noise = interleaved_gradient_noise(gl_FragCoord.xy - 0.5);
-    vec2 t = unit_vector(noise);
+    if (blurred_count > 0u) noise = (float(bayer(ivec2(gl_FragCoord.xy))) + noise) / 16.0;
+    vec2 t = light_kind == light_rect ? vec2(1.0, 0.0) : unit_vector(noise);
     return Pattern(mat2(t, -t.y, t.x), fract(vec2(noise, noise * 2.61803399)));
 }
 

@@ -9,6 +9,7 @@ const float widest_filter = 1.0 / 8.0; // radius, share of the tile
 const float least_search = 2.0;        // texels: the close search reaches as many times further as the wide one beyond it
 const float even_height = 0.75;        // share of the mean height from which the harmonic mean tells of blockers of one kind
 const float least_height = 0.15;       // share of a kind's blockers' height from which something hides the light's rim
+const float least_width = 8.0;         // pixels: of a penumbra that is blurred
 
 #include "techniques/shadow/receiver.glsl"
 
@@ -18,9 +19,10 @@ struct Shadow {
     float visibility;
     float blocker;  // mean distance of what was found to block, m along the face's axis; infinite: nothing
     float penumbra; // width on the receiver, m
+    float blur;     // blur_…
 };
 
-const Shadow lit = Shadow(1.0, 1.0 / 0.0, 0.0);
+const Shadow lit = Shadow(1.0, 1.0 / 0.0, 0.0, blur_full); // as far as its neighbours may be blurred
 
 /// Four texels around the point, each held against the receiver's plane where the texel is, blended by nearness.
 Shadow hard_shadow(Receiver r)
@@ -31,7 +33,7 @@ Shadow hard_shadow(Receiver r)
     vec4 plane = corner + vec4(r.slope.y, r.slope.x + r.slope.y, r.slope.x, 0.0);
     vec4 seen = vec4(greaterThanEqual(plane, d));
     vec2 row = mix(seen.wx, seen.zy, part.x);
-    return Shadow(mix(row.x, row.y, part.y), 1.0 / 0.0, 0.0);
+    return Shadow(mix(row.x, row.y, part.y), 1.0 / 0.0, 0.0, blur_none);
 }
 
 /// A disc of one size everywhere.
@@ -45,7 +47,7 @@ Shadow pcf_shadow(Receiver r, Pattern pattern)
         vec2 at = light_sample(blocker_count + i, pattern).at;
         sum += compare(place, taps.steps * at, plane + dot(taps.rise, at));
     }
-    return Shadow(sum / float(sample_count), 1.0 / 0.0, 0.0);
+    return Shadow(sum / float(sample_count), 1.0 / 0.0, 0.0, blur_none);
 }
 
 /// What a search for blockers found.
@@ -86,6 +88,16 @@ Blockers find_blockers(Receiver r, Place place, LightOnMap light, float k, Patte
     return Blockers(max(sums.height / weight, 0.0), max(sums.count / sums.low_height - least, 0.0), sums.count);
 }
 
+/// How far visibility may be averaged in a penumbra of this width, m.
+float blur_of(Receiver r, float penumbra)
+{
+    if (blurred_count == 0u) return blur_none;
+    float width2 = penumbra * penumbra;
+    vec2 least = least_width * least_width * r.spacing2;
+    if (width2 > max(least.x, least.y)) return blur_full;
+    return width2 > least.x ? blur_row : width2 > least.y ? blur_column : blur_none;
+}
+
 /// Blockers within what the light spans are sought, the penumbra follows from their mean height, and a filter of its size
 /// is laid over the receiver. A mean of something high and something low fits neither: where both were found, each point
 /// of the light is looked for twice, among what is high above the receiver, where the ray to it passes the mean blocker,
@@ -102,27 +114,33 @@ Shadow pcss_shadow(Receiver r, Pattern pattern)
     vec2 range = depth_range(r, reach);
     float tilt = length(r.slope) * reach + r.bias + plane_error(r, reach);
     if (range.x <= r.depth - tilt) return lit;
-    if (range.y > r.depth + tilt) return Shadow(0.0, linear_z(range.x), 0.0);
+    if (range.y > r.depth + tilt) {
+        float least = min((range.y - r.depth) * spread_per_height, widest);
+        return Shadow(0.0, linear_z(range.x), 0.0, blur_of(r, penumbra_width(r, least)));
+    }
     k = min((range.x - r.depth) * spread_per_height, k);
     if (k <= 0.0) return lit;
 
     Blockers found = find_blockers(r, place, light, k, pattern);
     if (found.count == 0.0) return lit;
     float high_k = clamp(found.height * spread_per_height, 1.0 / light.radius, widest);
+    float penumbra = penumbra_width(r, high_k), blur = blur_of(r, penumbra);
+    uint first = blur == blur_full ? blocker_count + sample_count : blocker_count;
+    uint count = blur == blur_full ? blurred_count : sample_count;
     Taps taps = taps_at(r, light.spans * pattern.turn, high_k);
     float plane = r.depth + r.bias + plane_error(r, light.radius * high_k), seen = 0.0;
     if (found.low_height > even_height * found.height) {
         float least = least_height * found.height;
-        for (uint i = 0u; i < sample_count; ++i) {
-            LightSample s = light_sample(blocker_count + i, pattern);
+        for (uint i = 0u; i < count; ++i) {
+            LightSample s = light_sample(first + i, pattern);
             vec2 at = s.at * parallax(r, s);
             seen += compare(place, taps.steps * at, plane + 0.5 * r.rise + dot(taps.rise, at) + least * s.rim);
         }
     } else {
         float border = sqrt(found.low_height * found.height), least = least_height * found.low_height;
         float low = clamp(found.low_height * spread_per_height, 0.5 / light.radius, high_k) / high_k;
-        for (uint i = 0u; i < sample_count; ++i) {
-            LightSample s = light_sample(blocker_count + i, pattern);
+        for (uint i = 0u; i < count; ++i) {
+            LightSample s = light_sample(first + i, pattern);
             vec2 at = s.at * parallax(r, s), to = taps.steps * at;
             float rise = dot(taps.rise, at);
             float height = height_at(place, to * low, plane + rise * low);
@@ -130,7 +148,7 @@ Shadow pcss_shadow(Receiver r, Pattern pattern)
             seen += low_blocks ? 0.0 : compare(place, to, plane + rise + border);
         }
     }
-    return Shadow(seen / float(sample_count), linear_z(r.depth + found.height), penumbra_width(r, high_k));
+    return Shadow(seen / float(count), linear_z(r.depth + found.height), penumbra, blur);
 }
 
 Shadow filtered(Receiver r, Pattern pattern)
@@ -166,7 +184,9 @@ float value_at(ivec2 pixel)
     Shadow shadow = filtered(receiver_in(face, s), pattern);
     if (light_kind == light_sun && fade > 0.0) {
         face.index += 1u;
-        shadow.visibility = mix(shadow.visibility, filtered(receiver_in(face, s), pattern).visibility, fade);
+        Shadow next = filtered(receiver_in(face, s), pattern);
+        shadow.visibility = mix(shadow.visibility, next.visibility, fade);
+        shadow.blur = min(shadow.blur, next.blur);
     }
     // Where the surface's plane cuts a rectangle, the map, drawn from its centre, knows the less of what hides the part above
     // the nearer to the centre it does.
@@ -174,7 +194,7 @@ float value_at(ivec2 pixel)
         float above = s.rise * s.distance / max(extent_across(s), 1e-6);
         shadow.visibility = mix(1.0, shadow.visibility, clamp(above, 0.0, 1.0));
     }
-    if (shown == show_visibility) return shadow.visibility * share;
+    if (shown == show_visibility) return shadow.visibility * share + (blurred_count > 0u ? 2.0 * shadow.blur : 0.0);
     return shown == show_blocker ? shadow.blocker : shadow.penumbra;
 }
 
