@@ -74,7 +74,7 @@ std::uint32_t shader_filter(ShadowFilter filter)
 
 int samples_before_blur(const ShadowSettings& s)
 {
-    return std::max(s.samples / 2, 4);
+    return std::max(2 * s.samples / 3, 4);
 }
 
 std::vector<std::uint32_t> shadowed_lights(std::span<const Light> lights, const ShadowSettings& s)

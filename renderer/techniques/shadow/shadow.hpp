@@ -52,7 +52,8 @@ void describe(V& v, ShadowSettings& s)
     v("blocker_samples", s.blocker_samples, "pcss: texels read at each pixel to find what blocks", Range{4, 64}, "",
       Cpu{12});
     v("blur", s.blur,
-      "pcss: where a penumbra is wide in the picture, halve its comparisons and take the noise out with 4 x 4 pixels");
+      "pcss: where a penumbra is wide in the picture, do with two thirds of the comparisons and take the noise out "
+      "with 4 x 4 pixels");
     v("softness", s.softness, "pcss and reference: multiplies the size of every light", Range{0, 10}, "");
     v("radius", s.radius, "pcf: of the disc", Range{0, 64}, "texels");
     v("bias_normal", s.bias_normal, "Moves the shaded point off its surface", Range{0, 8}, "texels");
