@@ -105,9 +105,10 @@ const gpu::Buffer& read_back(graph::Graph& g, Readbacks& readbacks, const DrawLi
 
 struct Engine::State {
     explicit State(const EngineOptions& o)
-        : options(o), instance(o.validate), device(instance, gpu::choose_device(instance, o.device)),
-          descriptors(device), pipelines(device, descriptors, o.shaders, o.cache_folder),
-          runner(device, descriptors, pipelines), readbacks(device), shadow_maps(device),
+        : options(o), instance(o.validate, o.window.instance_extensions),
+          device(instance, gpu::choose_device(instance, o.device), static_cast<bool>(o.window)), descriptors(device),
+          pipelines(device, descriptors, o.shaders, o.cache_folder), runner(device, descriptors, pipelines),
+          readbacks(device), shadow_maps(device), ui(device),
           constants(device, "frame constants", sizeof(shared::FrameConstants), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
                     gpu::MemoryUse::upload),
           ltc(device, "ltc", ltc_table().size_bytes(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::MemoryUse::upload)
@@ -116,6 +117,7 @@ struct Engine::State {
         std::memcpy(ltc.mapped().data(), ltc_table().data(), ltc_table().size_bytes());
         ltc.flush();
         descriptors.set_frame_buffer(gpu::FrameBinding::ltc, ltc);
+        if (o.window) swapchain = std::make_unique<gpu::Swapchain>(instance, device, o.window);
     }
     EngineOptions options;
     gpu::Instance instance;
@@ -125,6 +127,10 @@ struct Engine::State {
     graph::Runner runner;
     Readbacks readbacks;
     ShadowMaps shadow_maps;
+    Ui ui;
+    std::unique_ptr<gpu::Swapchain> swapchain; ///< where there is a window
+    bool swapchain_stale = true;
+    gpu::PresentMode present_mode = gpu::PresentMode::vsync;
     gpu::Buffer constants;
     gpu::Buffer ltc; ///< the table of area lights
     std::unique_ptr<GpuScene> scene;
@@ -162,6 +168,37 @@ void Engine::load(const SceneDescription& scene)
     unload();
     state_->scene = std::make_unique<GpuScene>(state_->device, state_->descriptors, scene.bakes, scene.instances,
                                                scene.overrides, state_->options.upload);
+}
+
+void Engine::set_ui_font(uvec2 size, std::span<const std::byte> rgba)
+{
+    state_->ui.set_font(size, rgba);
+}
+
+uvec2 Engine::window_size(uvec2 wanted, gpu::PresentMode mode)
+{
+    State& s = *state_;
+    if (!s.swapchain) throw std::logic_error("window_size() without a window");
+    if (s.swapchain_stale || mode != s.present_mode || wanted != s.swapchain->size()) {
+        s.swapchain_stale = !s.swapchain->resize(wanted, mode);
+        s.present_mode = mode;
+    }
+    return s.swapchain->size();
+}
+
+bool Engine::show(const UiDraws& ui)
+{
+    State& s = *state_;
+    const std::optional<gpu::Swapchain::Target> target = s.swapchain->acquire();
+    if (target) {
+        graph::Graph g;
+        const graph::Tex window = g.import("window", *target->image);
+        s.ui.add(g, window, ui);
+        g.keep(window, gpu::Access::present);
+        static_cast<void>(s.runner.run(g, gpu::TimerMode::overlapped, target->sync));
+    }
+    s.swapchain_stale = !target || !s.swapchain->present();
+    return !s.swapchain_stale;
 }
 
 void Engine::unload()
@@ -231,7 +268,8 @@ FrameResult Engine::draw(const FrameRequest& request)
                                request.lights,
                                &s.shadow_maps,
                                remember ? &*s.seen : nullptr,
-                               order_lights(request.lights)};
+                               order_lights(request.lights),
+                               s.device.report().optional.lines};
     const Frame frame = build_frame(g, *s.renderer, context, request.aovs);
 
     s.readbacks.begin();
@@ -239,6 +277,7 @@ FrameResult Engine::draw(const FrameRequest& request)
     const gpu::Buffer* hdr = nullptr;
     std::vector<const gpu::Buffer*> commands;
     std::vector<const gpu::Buffer*> aovs;
+    if (request.keep_picture) s.ui.keep_picture(g, frame.picture);
     if (request.want_picture) picture = &read_back(g, s.readbacks, frame.picture, "picture");
     if (request.want_hdr) hdr = &read_back(g, s.readbacks, frame.hdr, "hdr");
     for (std::size_t i = 0; i < frame.aovs.size(); ++i) {

@@ -3,10 +3,12 @@
 
 #include "renderer/core/image.hpp"
 #include "renderer/frame.hpp"
+#include "renderer/gpu/swapchain.hpp"
 #include "renderer/graph/runner.hpp"
 #include "renderer/scene/camera.hpp"
 #include "renderer/scene/light.hpp"
 #include "renderer/settings.hpp"
+#include "renderer/ui.hpp"
 #include "shaders/embedded.hpp"
 
 #include <filesystem>
@@ -23,6 +25,7 @@ struct EngineOptions {
     std::filesystem::path cache_folder; ///< for the driver's pipeline cache; empty: none
     UploadPath upload = UploadPath::automatic;
     gpu::ShaderLookup shaders = shaders::find; ///< those embedded in the program
+    gpu::WindowSystem window;                  ///< empty: frames go to host memory only
 };
 
 /// What to draw. Bakes are mapped by the caller and may go once load() has returned.
@@ -40,6 +43,7 @@ struct FrameRequest {
     Settings settings;
     std::vector<Aov> aovs;
     bool want_picture = true, want_hdr = false;
+    bool keep_picture = false;    ///< on the device, for show()
     bool want_statistics = false; ///< triangles and material changes, read back from the device
     /// Begin with what the frame before saw: faster while cameras move little. Where surfaces lie at the same depth, it
     /// can then depend on the frame before which of them is seen.
@@ -69,6 +73,14 @@ public:
     void unload();
     /// Draws one frame and waits for it.
     [[nodiscard]] FrameResult render(const FrameRequest& request);
+
+    /// RGBA8 of what user interfaces are written with, rows from the top. Before the first show().
+    void set_ui_font(uvec2 size, std::span<const std::byte> rgba);
+    /// Shows the picture kept last under a user interface, in a window of so many pixels. Returns the size it has: the
+    /// interface is drawn for that one. (0, 0): it is minimised, and nothing was shown.
+    [[nodiscard]] uvec2 window_size(uvec2 wanted, gpu::PresentMode mode);
+    /// False where the window has changed in between; the next window_size() tells how.
+    bool show(const UiDraws& ui);
 
     [[nodiscard]] const gpu::Device& device() const;
     [[nodiscard]] const GpuScene& scene() const;

@@ -2,6 +2,8 @@
 
 #include "renderer/frame.hpp"
 
+#include "renderer/techniques/wireframe/wireframe.hpp"
+
 namespace atrium {
 namespace {
 
@@ -82,6 +84,8 @@ Frame build_frame(graph::Graph& g, const Renderer& renderer, const FrameContext&
         out.picture = add_debug_view(g, add_aov(g, shown, scene.aov_inputs, exposure), *shown.info, frame.size,
                                      frame.scene.bounds().diagonal());
     }
+    if (s.debug.wireframe && frame.can_draw_lines)
+        add_wireframe(g, out.picture, scene.aov_inputs.gbuffer.depth, out.draws, frame.scene.geometry());
     return out;
 }
 

@@ -22,6 +22,7 @@ struct FrameContext {
     ShadowMaps* shadow_maps = nullptr; ///< null: lights cast no shadows
     SeenTriangles* seen = nullptr;     ///< of the frame before; null: frames know nothing of each other
     LightOrder light_order;
+    bool can_draw_lines = true; ///< gpu::OptionalFeatures::lines
 };
 
 /// A scene turned into radiance, with the intermediate images that AOVs are made from.

@@ -43,6 +43,20 @@ void describe(V& v, CameraSettings& s)
     v("near", s.near, "Near plane; 0: from the scene's size (diagonal / 20000, 1 mm to 0.1 m)", Range{0, 100}, "m");
 }
 
+struct ViewSettings {
+    float moving_scale = 0;
+};
+
+template <class V>
+void describe(V& v, ViewSettings& s)
+{
+    v.group("view", "Window");
+    v("moving_scale", s.moving_scale,
+      "Share of the window's pixels along each side that are drawn while something moves; 0: as the time of a frame "
+      "allows",
+      Range{0, 1}, "");
+}
+
 struct TextureSettings {
     float anisotropy = 8;
 };
@@ -58,6 +72,7 @@ void describe(V& v, TextureSettings& s)
 struct Settings {
     RendererSettings renderer;
     CameraSettings camera;
+    ViewSettings view;
     MaterialSettings material;
     TextureSettings texture;
     AmbientSettings ambient;
@@ -75,6 +90,7 @@ void describe(V& v, Settings& s)
 {
     describe(v, s.renderer);
     describe(v, s.camera);
+    describe(v, s.view);
     describe(v, s.material);
     describe(v, s.texture);
     describe(v, s.ambient);

@@ -16,7 +16,7 @@ F device_function(VkDevice device, const char* name)
     return reinterpret_cast<F>(vkGetDeviceProcAddr(device, name));
 }
 
-VkDevice create_device(const DeviceReport& report)
+VkDevice create_device(const DeviceReport& report, bool presents)
 {
     VkPhysicalDeviceVulkan13Features v13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
     v13.dynamicRendering = VK_TRUE;
@@ -45,9 +45,12 @@ VkDevice create_device(const DeviceReport& report)
     features.features.independentBlend = VK_TRUE;
     features.features.samplerAnisotropy = report.optional.anisotropy;
     features.features.textureCompressionBC = report.optional.block_compression;
+    features.features.fillModeNonSolid = report.optional.lines;
 
     std::vector<const char*> extensions;
     if (report.optional.host_memory_import) extensions.push_back(VK_EXT_EXTERNAL_MEMORY_HOST_EXTENSION_NAME);
+
+    if (presents) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
 
     const float priority = 1;
     VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
@@ -68,8 +71,8 @@ VkDevice create_device(const DeviceReport& report)
 
 } // namespace
 
-Device::Device(const Instance& instance, const DeviceReport& report)
-    : instance_(instance), report_(report), device_(create_device(report))
+Device::Device(const Instance& instance, const DeviceReport& report, bool presents)
+    : instance_(instance), report_(report), device_(create_device(report, presents))
 {
     vkGetDeviceQueue(device_, report.queue_family, 0, &queue_);
 
@@ -140,7 +143,7 @@ void Device::end_label(VkCommandBuffer cmd) const
     if (end_label_) end_label_(cmd);
 }
 
-void Device::submit(const std::function<void(VkCommandBuffer)>& record) const
+void Device::submit(const std::function<void(VkCommandBuffer)>& record, const SubmitSync& sync) const
 {
     check(vkResetCommandPool(device_, pool_, 0), "reset the command pool");
     VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
@@ -154,6 +157,14 @@ void Device::submit(const std::function<void(VkCommandBuffer)>& record) const
     VkSubmitInfo2 submit_info{VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
     submit_info.commandBufferInfoCount = 1;
     submit_info.pCommandBufferInfos = &commands;
+    VkSemaphoreSubmitInfo wait{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO}, signal = wait;
+    wait.semaphore = sync.wait;
+    signal.semaphore = sync.signal;
+    wait.stageMask = signal.stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    submit_info.waitSemaphoreInfoCount = sync.wait ? 1 : 0;
+    submit_info.pWaitSemaphoreInfos = &wait;
+    submit_info.signalSemaphoreInfoCount = sync.signal ? 1 : 0;
+    submit_info.pSignalSemaphoreInfos = &signal;
     check(vkQueueSubmit2(queue_, 1, &submit_info, fence_), "submit commands");
 }
 

@@ -14,9 +14,15 @@ using VmaAllocator = VmaAllocator_T*;
 
 namespace atrium::gpu {
 
+/// Semaphores around a submission: what it waits for and what it signals. Null: none.
+struct SubmitSync {
+    VkSemaphore wait = VK_NULL_HANDLE, signal = VK_NULL_HANDLE;
+};
+
 class Device {
 public:
-    Device(const Instance& instance, const DeviceReport& report);
+    /// `presents`: to windows. Throws Error(environment) where the device cannot.
+    Device(const Instance& instance, const DeviceReport& report, bool presents = false);
     ~Device();
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;
@@ -39,7 +45,7 @@ public:
     /// Records into a fresh command buffer, submits it and waits until the device is done.
     void run(const std::function<void(VkCommandBuffer)>& record) const;
     /// The two halves of run(), for measuring and for work between them. One submission at a time.
-    void submit(const std::function<void(VkCommandBuffer)>& record) const;
+    void submit(const std::function<void(VkCommandBuffer)>& record, const SubmitSync& sync = {}) const;
     void wait() const;
 
     /// Bytes of device memory in use by this process, all heaps.

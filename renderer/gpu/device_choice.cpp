@@ -151,11 +151,13 @@ DeviceReport describe(VkPhysicalDevice device, std::uint32_t index)
     const Features f(device);
     report.optional.anisotropy = f.core.features.samplerAnisotropy;
     report.optional.block_compression = f.core.features.textureCompressionBC;
+    report.optional.lines = f.core.features.fillModeNonSolid;
     report.optional.host_memory_import = has_device_extension(device, VK_EXT_EXTERNAL_MEMORY_HOST_EXTENSION_NAME);
     report.optional.subgroup_ballot = (subgroup.supportedOperations & VK_SUBGROUP_FEATURE_BALLOT_BIT) &&
                                       (subgroup.supportedStages & VK_SHADER_STAGE_COMPUTE_BIT);
     if (!report.optional.anisotropy)
         report.absent_optionals.emplace_back("samplerAnisotropy: trilinear filtering only");
+    if (!report.optional.lines) report.absent_optionals.emplace_back("fillModeNonSolid: debug.wireframe has no effect");
     if (!report.optional.block_compression) {
         report.absent_optionals.emplace_back("textureCompressionBC: bakes made with --textures bc are refused");
     }

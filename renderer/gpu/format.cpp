@@ -17,6 +17,8 @@ const char* to_string(Format f)
         return "RGBA8_UNORM";
     case Format::rgba8_srgb:
         return "RGBA8_SRGB";
+    case Format::bgra8_unorm:
+        return "BGRA8_UNORM";
     case Format::r32_uint:
         return "R32_UINT";
     case Format::rg32_uint:

@@ -13,6 +13,7 @@ enum class Format : std::uint32_t {
     rg8_unorm = VK_FORMAT_R8G8_UNORM,
     rgba8_unorm = VK_FORMAT_R8G8B8A8_UNORM,
     rgba8_srgb = VK_FORMAT_R8G8B8A8_SRGB,
+    bgra8_unorm = VK_FORMAT_B8G8R8A8_UNORM,
     r32_uint = VK_FORMAT_R32_UINT,
     rg32_uint = VK_FORMAT_R32G32_UINT,
     r32_float = VK_FORMAT_R32_SFLOAT,

@@ -40,9 +40,10 @@ bool has_extension(const char* layer, const char* name)
 
 } // namespace
 
-Instance::Instance(bool validate)
+Instance::Instance(bool validate, const std::vector<std::string>& further)
 {
     std::vector<const char*> layers, extensions;
+    for (const std::string& name : further) extensions.push_back(name.c_str());
     if (validate) {
         if (!has_layer(validation_layer)) {
             throw Error(ExitCode::environment, "validation was asked for, but its layer is not installed", "--validate",

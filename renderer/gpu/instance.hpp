@@ -13,8 +13,9 @@ namespace atrium::gpu {
 
 class Instance {
 public:
-    /// Throws Error(environment) when there is no loader or driver, or (validate) no validation layer.
-    explicit Instance(bool validate);
+    /// `extensions`: further ones, such as a window system wants. Throws Error(environment) when there is no loader or
+    /// driver, or (validate) no validation layer.
+    explicit Instance(bool validate, const std::vector<std::string>& extensions = {});
     ~Instance();
     Instance(const Instance&) = delete;
     Instance& operator=(const Instance&) = delete;
@@ -35,6 +36,7 @@ struct OptionalFeatures {
     bool host_memory_import = false; ///< VK_EXT_external_memory_host: scene upload straight from the mapped bake
     bool anisotropy = false;
     bool block_compression = false;
+    bool lines = false;           ///< triangles drawn as lines: wireframes
     bool subgroup_ballot = false; ///< in compute shaders: culling of single triangles
 };
 

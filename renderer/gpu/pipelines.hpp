@@ -33,6 +33,7 @@ struct GraphicsPipelineDesc {
     Blend blend = Blend::off;
     DepthTest depth_test = DepthTest::off;
     bool depth_write = false;
+    bool lines = false; ///< edges of triangles only; OptionalFeatures::lines
     std::vector<std::uint32_t> constants; ///< specialisation constants 0, 1, … of both stages
     std::vector<Format> colors;           ///< filled in by the graph
     Format depth = Format::none;          ///< filled in by the graph

@@ -108,6 +108,19 @@ Image Image::create_unbound(const Device& device, std::string_view name, const I
     return image;
 }
 
+Image Image::of_others(const Device& device, std::string_view name, const ImageDesc& desc, VkImage handle)
+{
+    Image image;
+    image.device_ = &device;
+    image.desc_ = desc;
+    image.name_ = name;
+    image.image_ = handle;
+    image.others_ = true;
+    device.name(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<std::uint64_t>(handle), name);
+    image.create_views();
+    return image;
+}
+
 VkMemoryRequirements Image::requirements() const
 {
     VkMemoryRequirements requirements{};
@@ -151,6 +164,7 @@ Image::~Image()
     if (!device_) return;
     if (view_) vkDestroyImageView(device_->handle(), view_, nullptr);
     for (VkImageView view : layer_views_) vkDestroyImageView(device_->handle(), view, nullptr);
+    if (others_) return;
     if (allocation_) {
         vmaDestroyImage(device_->allocator(), image_, allocation_);
     } else if (image_) {
@@ -172,6 +186,7 @@ Image& Image::operator=(Image&& other) noexcept
     std::swap(view_, other.view_);
     std::swap(layer_views_, other.layer_views_);
     std::swap(allocation_, other.allocation_);
+    std::swap(others_, other.others_);
     return *this;
 }
 

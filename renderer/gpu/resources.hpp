@@ -67,6 +67,9 @@ public:
 
     /// Without memory or view: for the graph's transient images. bind() gives both.
     [[nodiscard]] static Image create_unbound(const Device& device, std::string_view name, const ImageDesc& desc);
+    /// An image that somebody else made and will destroy, such as a window's.
+    [[nodiscard]] static Image of_others(const Device& device, std::string_view name, const ImageDesc& desc,
+                                         VkImage image);
     [[nodiscard]] VkMemoryRequirements requirements() const;
     void bind(VmaAllocation block, std::uint64_t offset);
 
@@ -89,6 +92,7 @@ private:
     VkImageView view_ = VK_NULL_HANDLE;
     std::vector<VkImageView> layer_views_; ///< where there are several
     VmaAllocation allocation_ = nullptr;   ///< null when the memory is somebody else's
+    bool others_ = false;                  ///< so is the image
 };
 
 /// A block of device memory in which several transient images lie.

@@ -31,6 +31,12 @@ void Cmd::viewport(uvec2 origin, uvec2 size)
     set_viewport(commands_, origin, size);
 }
 
+void Cmd::scissor(uvec2 origin, uvec2 size)
+{
+    const VkRect2D rect{{static_cast<std::int32_t>(origin.x), static_cast<std::int32_t>(origin.y)}, {size.x, size.y}};
+    vkCmdSetScissor(commands_, 0, 1, &rect);
+}
+
 void Cmd::clear_depth(uvec2 origin, uvec2 size, float depth)
 {
     VkClearAttachment clear{};
@@ -66,6 +72,11 @@ void Cmd::bind_geometry(const gpu::Buffer& vertices, const gpu::Buffer& indices)
 void Cmd::bind_geometry(const gpu::Buffer& vertices, Buf indices)
 {
     bind_buffers(commands_, vertices.handle(), runner_.buffer_of(indices.index));
+}
+
+void Cmd::bind_indices(Buf indices)
+{
+    vkCmdBindIndexBuffer(commands_, runner_.buffer_of(indices.index), 0, VK_INDEX_TYPE_UINT32);
 }
 
 void Cmd::draw_indexed(std::uint32_t first_index, std::uint32_t index_count, std::uint32_t first_instance)

@@ -54,10 +54,13 @@ public:
     void cull(CullMode mode);
     /// Draws into a part of the targets, `origin` its upper left pixel, until the pass ends or the next call.
     void viewport(uvec2 origin, uvec2 size);
+    /// Draws only into that part, with the viewport as it is.
+    void scissor(uvec2 origin, uvec2 size);
     void clear_depth(uvec2 origin, uvec2 size, float depth); ///< a part of the depth target
     void draw_fullscreen();
     void bind_geometry(const gpu::Buffer& vertices, const gpu::Buffer& indices);
     void bind_geometry(const gpu::Buffer& vertices, Buf indices);
+    void bind_indices(Buf indices); ///< for shaders that pull their vertices
     void draw_indexed(std::uint32_t first_index, std::uint32_t index_count, std::uint32_t first_instance);
     void draw_indexed_indirect(Buf commands, std::uint32_t first, std::uint32_t count);
     void dispatch(std::uint32_t items, std::uint32_t group_size); ///< enough groups for so many items

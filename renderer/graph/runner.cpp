@@ -62,7 +62,7 @@ void Runner::prepare_pipelines(Graph& graph)
     pipelines_.prepare(graphics, compute);
 }
 
-RunStats Runner::run(Graph& graph, gpu::TimerMode mode)
+RunStats Runner::run(Graph& graph, gpu::TimerMode mode, const gpu::SubmitSync& sync)
 {
     RunStats stats;
     const auto start = std::chrono::steady_clock::now();
@@ -79,7 +79,7 @@ RunStats Runner::run(Graph& graph, gpu::TimerMode mode)
 
     graph_ = &graph;
     timers_.reset();
-    device_.submit([&](VkCommandBuffer cmd) { record(cmd, graph, mode, stats); });
+    device_.submit([&](VkCommandBuffer cmd) { record(cmd, graph, mode, stats); }, sync);
     stats.cpu_ms = ms_since(start) - compile_ms;
     device_.wait();
     stats.wall_ms = ms_since(start) - compile_ms;

@@ -26,7 +26,7 @@ public:
     ~Runner();
 
     /// Compiles what is missing, records, submits and waits.
-    RunStats run(Graph& graph, gpu::TimerMode mode = gpu::TimerMode::overlapped);
+    RunStats run(Graph& graph, gpu::TimerMode mode = gpu::TimerMode::overlapped, const gpu::SubmitSync& sync = {});
 
     /// The plan of the last graph that ran, as text or Graphviz.
     [[nodiscard]] std::string plan_text() const { return to_text(described_, plan_); }

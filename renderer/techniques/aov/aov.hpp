@@ -19,6 +19,7 @@ namespace atrium {
 
 struct DebugSettings {
     std::string view;
+    bool wireframe = false;
     bool alpha_lod0 = false;
 };
 
@@ -27,6 +28,7 @@ void describe(V& v, DebugSettings& s)
 {
     v.group("debug", "Debugging");
     v("view", s.view, "Show an AOV in place of the picture (its name; empty: the picture)");
+    v("wireframe", s.wireframe, "Draw the edges of triangles over the picture");
     v("alpha_lod0", s.alpha_lod0, "Test masks at mip 0, to compare with ray tracing");
 }
 

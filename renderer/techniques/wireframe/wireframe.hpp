@@ -1,0 +1,15 @@
+#pragma once
+// The triangles' edges over the picture. README.md beside this file.
+
+#include "renderer/graph/graph.hpp"
+#include "renderer/techniques/gbuffer/gbuffer.hpp"
+
+#include <span>
+
+namespace atrium {
+
+/// Reads  draw commands, the G-buffer's depth.  Writes  over the picture. Pass `wireframe`.
+void add_wireframe(graph::Graph& g, graph::Tex picture, graph::Tex depth, std::span<const DrawList> draws,
+                   const Geometry& geometry);
+
+} // namespace atrium

@@ -1,0 +1,83 @@
+#include "renderer/ui.hpp"
+
+#include "renderer/scene_upload.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+
+namespace atrium {
+namespace {
+
+/// Copies into a buffer that grows by doubling.
+template <class T>
+void write(const gpu::Device& device, gpu::Buffer& buffer, const char* name, const std::vector<T>& values,
+           VkBufferUsageFlags usage)
+{
+    const std::uint64_t bytes = values.size() * sizeof(T);
+    if (buffer.size() < bytes || buffer.size() == 0) {
+        std::uint64_t size = 65536;
+        while (size < bytes) size *= 2;
+        buffer = gpu::Buffer(device, name, size, usage, gpu::MemoryUse::upload);
+    }
+    std::memcpy(buffer.mapped().data(), values.data(), bytes);
+    buffer.flush();
+}
+
+} // namespace
+
+void Ui::set_font(uvec2 size, std::span<const std::byte> rgba)
+{
+    font_ = gpu::Image(
+        device_, "ui.font",
+        {gpu::Format::rgba8_unorm, size.x, size.y, 1, 1, VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+    const UploadJob job{rgba, {{&font_, 0, 0, rgba.size()}}, {}};
+    upload(device_, {&job, 1}, UploadPath::staging);
+}
+
+void Ui::keep_picture(graph::Graph& g, graph::Tex picture)
+{
+    const graph::TexDesc& desc = g.desc(picture);
+    if (picture_.desc().width != desc.width || picture_.desc().height != desc.height) {
+        picture_ = gpu::Image(device_, "ui.picture",
+                              {desc.format, desc.width, desc.height, 1, 1,
+                               VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT});
+    }
+    const graph::Tex kept = g.import("ui.picture", picture_);
+    g.raster("ui.keep").reads(picture).writes(kept).fullscreen("ui/keep.frag");
+    g.keep(kept, gpu::Access::sampled_fragment);
+    picture_kept_ = true;
+}
+
+void Ui::add(graph::Graph& g, graph::Tex window, const UiDraws& draws)
+{
+    if (!picture_kept_) throw std::logic_error("a user interface before any picture");
+    write(device_, vertices_, "ui.vertices", draws.vertices, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    write(device_, indices_, "ui.indices", draws.indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+    const graph::Buf vertices = g.import("ui.vertices", vertices_);
+    const graph::Buf indices = g.import("ui.indices", indices_);
+    gpu::GraphicsPipelineDesc state;
+    state.vertex = "ui/ui.vert";
+    state.fragment = "ui/ui.frag";
+    state.blend = gpu::Blend::alpha;
+    const graph::TexDesc& size = g.desc(window);
+    const vec2 inv_size(1.0f / static_cast<float>(size.width), 1.0f / static_cast<float>(size.height));
+    g.raster("ui")
+        .reads(g.import("ui.font", font_, gpu::Access::sampled_fragment))
+        .reads(g.import("ui.picture", picture_, gpu::Access::sampled_fragment))
+        .reads(vertices)
+        .reads(indices, gpu::Access::index_read)
+        .writes(window, graph::Load::clear)
+        .pipeline(state)
+        .record([commands = draws.commands, indices, inv_size](graph::Cmd& cmd) {
+            cmd.bind();
+            cmd.bind_indices(indices);
+            for (const UiCommand& c : commands) {
+                cmd.scissor(c.clip_origin, c.clip_size);
+                cmd.push(shared::UiPush{inv_size, c.image});
+                cmd.draw_indexed(c.first_index, c.index_count, 0);
+            }
+        });
+}
+
+} // namespace atrium

@@ -1,0 +1,24 @@
+// The user interface: triangles over the picture.
+#ifndef SHARED_UI_H
+#define SHARED_UI_H
+#include "types.h"
+SHARED_BEGIN
+
+const uint ui_font = 0, ui_picture = 1; // what a triangle is textured with: the font's coverage, the frame
+
+struct UiVertex {
+    vec2 position; // pixels from the window's upper left
+    vec2 uv;
+    uint color;    // RGBA8, red lowest; sRGB-encoded, as the window is
+};
+
+struct UiPush {
+    vec2 inv_size; // of the window, 1 / pixels
+    uint image;    // ui_…
+};
+
+SHARED_END
+#ifdef __cplusplus
+static_assert(sizeof(atrium::shared::UiVertex) == 20);
+#endif
+#endif
