@@ -1,22 +1,12 @@
 #include "app/config.hpp"
 
+#include "app/toml_text.hpp"
 #include "renderer/core/error.hpp"
 
 #include <fmt/format.h>
 
 namespace atrium::app {
 namespace {
-
-/// A TOML basic string.
-std::string quoted(const std::string& text)
-{
-    std::string out = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') out += '\\';
-        out += c;
-    }
-    return out + "\"";
-}
 
 std::string vector_text(const vec3& v)
 {
@@ -46,11 +36,10 @@ ImageMetadata describe_frame(const FrameRequest& request, double time)
 
     std::string out =
         fmt::format("width = {}\nheight = {}\ntime = {}\nlights = [", request.size.x, request.size.y, time);
-    for (const Light& light : request.lights) out += fmt::format("\n    {},", quoted(to_spec(light)));
-    out += fmt::format("\n]\n[camera]\neye = {}\ntarget = {}\nfov = {}\n[settings]\n", vector_text(request.camera.eye),
+    for (const Light& light : request.lights) out += fmt::format("\n    {},", toml_string(to_spec(light)));
+    out += fmt::format("\n]\n[camera]\neye = {}\ntarget = {}\nfov = {}\n", vector_text(request.camera.eye),
                        vector_text(request.camera.target), request.camera.fov);
-    for (const auto& [key, text] : list.differing()) out += fmt::format("{} = {}\n", key, quoted(text));
-    return {{metadata_key, out}};
+    return {{metadata_key, out + differing_toml(list)}};
 }
 
 FrameConfig read_config(const std::filesystem::path& file)

@@ -29,8 +29,9 @@ const std::map<std::string, std::set<std::string>>& allowed()
           "renderer/techniques", "shaders"}},
         {"assetconv", {"renderer/core", "renderer/scene"}},
         {"app",
-         {"renderer", "renderer/core", "renderer/scene", "renderer/gpu", "renderer/graph", "renderer/materials",
-          "renderer/techniques", "shaders"}},
+         {"app/gui", "renderer", "renderer/core", "renderer/scene", "renderer/gpu", "renderer/graph",
+          "renderer/materials", "renderer/techniques", "shaders"}},
+        {"app/gui", {"app", "renderer", "renderer/core", "renderer/scene"}},
         {"shaders", {"renderer/core", "shaders"}},
     };
     return table;

@@ -1,0 +1,61 @@
+#pragma once
+// The panel on the left of the window: settings, lights, camera, costs, help.
+
+#include "app/gui/setting_widgets.hpp"
+#include "app/gui/view_model.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace atrium::gui {
+
+struct PassFacts {
+    std::string name;
+    double ms = 0;
+    std::uint32_t draws = 0;
+};
+
+/// What the last frame was.
+struct FrameFacts {
+    std::string device;
+    bool is_cpu = false; ///< settings then have a CPU device's defaults
+    uvec2 size{0};
+    double frame_ms = 0;
+    std::vector<PassFacts> passes; ///< in the order in which they ran
+    std::uint64_t memory_bytes = 0, triangles = 0;
+    std::vector<float> history; ///< ms of the last frames, a ring
+    int history_next = 0;       ///< where in it the next will be written: the oldest
+};
+
+/// One line of the help.
+struct KeyHelp {
+    std::string keys, act;
+};
+
+enum class Tab { settings, lights, camera, costs, help };
+
+/// What the panel remembers between frames.
+struct PanelState {
+    float scale = 1;                           ///< of everything, as apply_style() was given
+    std::vector<KeyHelp> keys;                 ///< the help
+    std::string message;                       ///< shown on top until it is put away: what was refused, and why
+    std::optional<Tab> show;                   ///< turn to this tab in the next frame
+    std::string filter;                        ///< of the settings
+    Headings headings = Headings::as_they_are; ///< of the settings, in the next frame that shows them
+};
+
+/// Draws them all. At most 360 x scale pixels wide and within the display. Completes edits: checkpoint() where nothing
+/// is being dragged or typed.
+void draw_panels(ViewModel& model, const FrameFacts& facts, PanelState& state);
+
+/// One tab, for draw_panels().
+void draw_light_tab(ViewModel& model, PanelState& state, bool is_cpu);
+void draw_cost_tab(const FrameFacts& facts, float scale);
+
+/// "--eye X,Y,Z --target X,Y,Z --fov F", from which the command line makes the same camera.
+[[nodiscard]] std::string camera_options(const Camera& camera);
+
+} // namespace atrium::gui

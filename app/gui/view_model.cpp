@@ -1,0 +1,166 @@
+#include "app/gui/view_model.hpp"
+
+#include "app/toml_text.hpp"
+#include "renderer/core/error.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace atrium::gui {
+
+ViewModel::ViewModel()
+{
+    describe(list, settings);
+    last_ = now();
+}
+
+void ViewModel::reset(const Settings& new_settings, const Camera& new_camera, std::vector<Light> new_lights)
+{
+    name_lights(new_lights);
+    settings = new_settings;
+    camera = start_camera_ = new_camera;
+    lights = std::move(new_lights);
+    selected.reset();
+    past_.clear();
+    future_.clear();
+    last_ = now();
+}
+
+ViewModel::Snapshot ViewModel::now() const
+{
+    return {settings, list.differing(), lights};
+}
+
+void ViewModel::restore(const Snapshot& snapshot)
+{
+    settings = snapshot.settings;
+    lights = snapshot.lights;
+    if (selected && *selected >= lights.size()) selected.reset();
+    last_ = snapshot;
+}
+
+void ViewModel::checkpoint()
+{
+    constexpr std::size_t most_steps = 500;
+    Snapshot present = now();
+    if (present == last_) return;
+    past_.push_back(std::move(last_));
+    if (past_.size() > most_steps) past_.pop_front();
+    future_.clear();
+    last_ = std::move(present);
+}
+
+bool ViewModel::can_undo() const
+{
+    return !past_.empty() || now() != last_;
+}
+
+bool ViewModel::can_redo() const
+{
+    return !future_.empty() && now() == last_;
+}
+
+void ViewModel::undo()
+{
+    checkpoint(); // an edit that is still going on is the step to take back
+    if (past_.empty()) return;
+    future_.push_back(last_);
+    const Snapshot target = std::move(past_.back());
+    past_.pop_back();
+    restore(target);
+}
+
+void ViewModel::redo()
+{
+    checkpoint();
+    if (future_.empty()) return;
+    past_.push_back(last_);
+    const Snapshot target = std::move(future_.back());
+    future_.pop_back();
+    restore(target);
+}
+
+std::optional<std::string> ViewModel::apply_texts(std::span<const SettingText> texts)
+{
+    const Settings before = settings;
+    try {
+        for (const SettingText& t : texts) list.set(t.key, t.value, ExitCode::input, t.where);
+    } catch (const Error& e) {
+        settings = before;
+        return e.text();
+    }
+    return std::nullopt;
+}
+
+void ViewModel::apply_defaults(bool is_cpu)
+{
+    settings = Settings{};
+    if (is_cpu) list.apply_cpu_defaults();
+}
+
+std::string ViewModel::settings_toml() const
+{
+    return app::differing_toml(list);
+}
+
+// ---- lights
+
+void ViewModel::select(std::size_t index)
+{
+    selected.reset();
+    if (!lights.empty()) selected = std::min(index, lights.size() - 1);
+}
+
+std::string ViewModel::free_light_name() const
+{
+    for (std::size_t i = lights.size();; ++i) {
+        std::string name = fmt::format("light{}", i);
+        if (std::none_of(lights.begin(), lights.end(), [&](const Light& l) { return l.name == name; })) return name;
+    }
+}
+
+bool ViewModel::add_light(LightType type, const vec3& position)
+{
+    if (lights.size() >= max_lights) return false;
+    Light light = default_light(type);
+    light.name = free_light_name();
+    if (type != LightType::sun) light.position = position; // a sun has none, and a field it has not keeps its default
+    lights.push_back(std::move(light));
+    select(lights.size() - 1);
+    return true;
+}
+
+bool ViewModel::duplicate_selected()
+{
+    if (!selected || *selected >= lights.size() || lights.size() >= max_lights) return false;
+    Light copy = lights[*selected];
+    copy.name = free_light_name();
+    lights.push_back(std::move(copy));
+    select(lights.size() - 1);
+    return true;
+}
+
+void ViewModel::remove_selected()
+{
+    if (!selected || *selected >= lights.size()) return;
+    lights.erase(lights.begin() + static_cast<std::ptrdiff_t>(*selected));
+    select(*selected);
+}
+
+std::optional<std::string> ViewModel::set_light(std::size_t index, Light light)
+{
+    if (light.name.empty()) light.name = free_light_name();
+    try {
+        check_light(light, ExitCode::usage, light.name);
+    } catch (const Error& e) {
+        return fmt::format("{}: {}", e.what(), e.why());
+    }
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        if (i != index && lights[i].name == light.name) return fmt::format("another light is called {}", light.name);
+    }
+    lights.at(index) = std::move(light);
+    return std::nullopt;
+}
+
+} // namespace atrium::gui

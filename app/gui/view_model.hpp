@@ -1,0 +1,87 @@
+#pragma once
+// What the window shows and edits, and the way back from each edit. Knows nothing of how it is drawn.
+
+#include "renderer/scene/camera.hpp"
+#include "renderer/scene/light.hpp"
+#include "renderer/scene/scene_file.hpp"
+#include "renderer/settings.hpp"
+
+#include <cstddef>
+#include <deque>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace atrium::gui {
+
+/// Everything is public that widgets write to; whoever edits calls checkpoint() when an edit is complete.
+class ViewModel {
+public:
+    ViewModel();
+    ViewModel(const ViewModel&) = delete; // `list` points into `settings`
+    ViewModel& operator=(const ViewModel&) = delete;
+
+    Settings settings;
+    SettingList list; ///< bound to `settings`; its defaults are those of Settings
+    Camera camera;
+    std::vector<Light> lights;           ///< named, no name twice
+    std::optional<std::size_t> selected; ///< of `lights`
+    std::string scene_name;
+
+    /// Begins anew, without anything to undo. Lights without a name are given theirs; throws Error(usage) for names
+    /// that name_lights() refuses, and changes nothing then.
+    void reset(const Settings& new_settings, const Camera& new_camera, std::vector<Light> new_lights);
+    /// The camera of the last reset().
+    [[nodiscard]] const Camera& start_camera() const { return start_camera_; }
+
+    // Undo and redo: of settings and lights. The camera is not part of it: one flies back.
+
+    /// Makes what has changed since the last one a step to undo; nothing, when nothing has. Called after each edit, or
+    /// each frame in which nobody is in the middle of one: a drag is then one step.
+    void checkpoint();
+    /// Whether there is a step, an edit without its checkpoint included.
+    [[nodiscard]] bool can_undo() const;
+    [[nodiscard]] bool can_redo() const;
+    void undo(); ///< nothing where !can_undo()
+    void redo(); ///< nothing where !can_redo()
+
+    /// Sets what a preset or a file says and leaves the rest. All of it or, with what is wrong as the answer, nothing.
+    [[nodiscard]] std::optional<std::string> apply_texts(std::span<const SettingText> texts);
+    /// All settings as the description has them, those of a CPU device where it is one.
+    void apply_defaults(bool is_cpu);
+    /// What differs from the defaults as a file for --config.
+    [[nodiscard]] std::string settings_toml() const;
+
+    // Lights. At most max_lights.
+
+    /// A light of the type at `position`, named and selected; false when there is room for no more.
+    bool add_light(LightType type, const vec3& position);
+    /// The selected light once more, the copy selected; false without a selection or room.
+    bool duplicate_selected();
+    /// Selects the one that takes its place.
+    void remove_selected();
+    /// Replaces a light, unless it breaks a rule of lights: the answer says which. An empty name gets a free one.
+    [[nodiscard]] std::optional<std::string> set_light(std::size_t index, Light light);
+
+private:
+    using Texts = std::vector<std::pair<std::string, std::string>>;
+    struct Snapshot {
+        Settings settings;
+        Texts texts; ///< of settings that differ from their defaults: what is compared
+        std::vector<Light> lights;
+        bool operator==(const Snapshot& other) const { return texts == other.texts && lights == other.lights; }
+    };
+    [[nodiscard]] Snapshot now() const;
+    void restore(const Snapshot& snapshot);
+    void select(std::size_t index);
+    [[nodiscard]] std::string free_light_name() const;
+
+    Camera start_camera_;
+    Snapshot last_; ///< as of the last checkpoint, undo or redo
+    std::deque<Snapshot> past_;
+    std::vector<Snapshot> future_; ///< the next one to redo at the end
+};
+
+} // namespace atrium::gui

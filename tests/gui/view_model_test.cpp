@@ -1,0 +1,221 @@
+#include "app/gui/view_model.hpp"
+
+#include "tests/core/expect_error.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace atrium::gui {
+namespace {
+
+std::vector<Light> two_lights()
+{
+    Light sun = default_light(LightType::sun), point = default_light(LightType::point);
+    sun.name = "sun";
+    point.position = {0.1f, 1.0f / 3.0f, 3};
+    point.color = {1, 0.9f, 0.8f};
+    return {sun, point};
+}
+
+struct Fixture : ::testing::Test {
+    ViewModel model;
+    Fixture()
+    {
+        Settings settings;
+        settings.ao.radius = 1.0f / 3.0f;
+        model.reset(settings, Camera{}, two_lights());
+    }
+};
+using view_model = Fixture;
+
+TEST_F(view_model, begins_with_what_it_is_given_and_nothing_to_undo)
+{
+    EXPECT_EQ(model.settings.ao.radius, 1.0f / 3.0f);
+    EXPECT_EQ(model.list.find("ao.radius")->default_text, "0.5");
+    EXPECT_EQ(model.lights[1].name, "light1");
+    EXPECT_FALSE(model.selected.has_value());
+    EXPECT_FALSE(model.can_undo());
+    EXPECT_FALSE(model.can_redo());
+    model.checkpoint();
+    EXPECT_FALSE(model.can_undo());
+    model.undo();
+    model.redo();
+    EXPECT_EQ(model.settings.ao.radius, 1.0f / 3.0f);
+}
+
+TEST_F(view_model, undo_and_redo_restore_settings_and_lights_exactly)
+{
+    const auto texts = [&] { return model.list.differing(); };
+    const auto texts0 = texts();
+    const std::vector<Light> lights0 = model.lights;
+
+    model.settings.ao.radius = 0.1f + 0.2f;
+    model.settings.sky.zenith = {0.1f, 1e-7f, 3e5f};
+    model.settings.debug.view = "ao \"raw\"";
+    model.settings.shadow.cache = !model.settings.shadow.cache;
+    model.checkpoint();
+    const auto texts1 = texts();
+
+    model.lights[1].intensity = 0.1f + 0.7f;
+    model.lights.erase(model.lights.begin());
+    model.checkpoint();
+    const std::vector<Light> lights2 = model.lights;
+
+    model.undo();
+    EXPECT_EQ(model.lights, lights0);
+    EXPECT_EQ(texts(), texts1);
+    EXPECT_EQ(model.settings.ao.radius, 0.1f + 0.2f);
+    model.undo();
+    EXPECT_EQ(texts(), texts0);
+    EXPECT_EQ(model.settings.ao.radius, 1.0f / 3.0f);
+    EXPECT_EQ(model.settings.debug.view, "");
+    EXPECT_FALSE(model.can_undo());
+    model.redo();
+    EXPECT_EQ(texts(), texts1);
+    EXPECT_EQ(model.settings.sky.zenith, vec3(0.1f, 1e-7f, 3e5f));
+    model.redo();
+    EXPECT_EQ(model.lights, lights2);
+    EXPECT_FALSE(model.can_redo());
+}
+
+TEST_F(view_model, an_edit_without_its_checkpoint_is_a_step_too)
+{
+    model.settings.ao.samples = 4;
+    EXPECT_TRUE(model.can_undo());
+    model.undo();
+    EXPECT_EQ(model.settings.ao.samples, Settings{}.ao.samples);
+    EXPECT_TRUE(model.can_redo());
+    model.redo();
+    EXPECT_EQ(model.settings.ao.samples, 4);
+}
+
+TEST_F(view_model, a_new_edit_forgets_what_was_undone)
+{
+    model.settings.ao.samples = 4;
+    model.checkpoint();
+    model.undo();
+    model.settings.ao.power = 2;
+    EXPECT_FALSE(model.can_redo());
+    model.checkpoint();
+    model.redo();
+    EXPECT_EQ(model.settings.ao.samples, Settings{}.ao.samples);
+    EXPECT_EQ(model.settings.ao.power, 2.0f);
+}
+
+TEST_F(view_model, undo_leaves_the_camera_and_a_selection_that_is_still_there)
+{
+    model.camera.eye = {9, 9, 9};
+    model.selected = 1;
+    model.settings.ao.samples = 4;
+    model.undo();
+    EXPECT_EQ(model.camera.eye, vec3(9));
+    EXPECT_EQ(model.selected, 1u);
+    ASSERT_TRUE(model.add_light(LightType::rect, vec3(0)));
+    EXPECT_EQ(model.selected, 2u);
+    model.undo();
+    EXPECT_EQ(model.lights.size(), 2u);
+    EXPECT_FALSE(model.selected.has_value());
+}
+
+TEST_F(view_model, texts_are_applied_all_or_none)
+{
+    const std::vector<SettingText> good{{"ao.radius", "2", "f:1"}, {"ao.method", "gtao", "f:2"}};
+    EXPECT_EQ(model.apply_texts(good), std::nullopt);
+    EXPECT_EQ(model.settings.ao.radius, 2.0f);
+    EXPECT_EQ(model.settings.ao.method, AoMethod::gtao);
+
+    const std::vector<SettingText> bad{{"ao.radius", "3", "f:1"}, {"ao.samples", "many", "f:2"}};
+    const auto error = model.apply_texts(bad);
+    ASSERT_TRUE(error.has_value());
+    EXPECT_NE(error->find("ao.samples"), std::string::npos);
+    EXPECT_NE(error->find("f:2"), std::string::npos);
+    EXPECT_EQ(model.settings.ao.radius, 2.0f);
+    model.undo();
+    EXPECT_EQ(model.settings.ao.radius, 1.0f / 3.0f);
+}
+
+TEST_F(view_model, what_it_saves_it_reads_back)
+{
+    model.settings.debug.view = "a\"b\\c";
+    model.settings.sky.zenith = {0.1f, 0.2f, 0.3f};
+    const std::string toml = model.settings_toml();
+    ViewModel other;
+    EXPECT_EQ(other.settings_toml(), "[settings]\n");
+    EXPECT_EQ(other.apply_texts(parse_settings(toml, "saved")), std::nullopt);
+    EXPECT_EQ(other.list.differing(), model.list.differing());
+    EXPECT_EQ(other.settings_toml(), toml);
+}
+
+TEST_F(view_model, defaults_are_the_device_s)
+{
+    model.apply_defaults(true);
+    for (const Setting& s : model.list.all()) EXPECT_EQ(s.get(), s.cpu_default) << s.key;
+    model.apply_defaults(false);
+    EXPECT_TRUE(model.list.differing().empty());
+}
+
+TEST_F(view_model, lights_are_added_copied_and_removed)
+{
+    ASSERT_TRUE(model.add_light(LightType::spot, {1, 2, 3}));
+    EXPECT_EQ(model.lights[2].type, LightType::spot);
+    EXPECT_EQ(model.lights[2].position, vec3(1, 2, 3));
+    EXPECT_EQ(model.lights[2].name, "light2");
+    model.lights[2].intensity = 7;
+    ASSERT_TRUE(model.duplicate_selected());
+    EXPECT_EQ(model.lights[3].intensity, 7.0f);
+    EXPECT_EQ(model.lights[3].name, "light3");
+    EXPECT_EQ(model.selected, 3u);
+    model.selected = 0;
+    model.remove_selected();
+    EXPECT_EQ(model.lights.size(), 3u);
+    EXPECT_EQ(model.selected, 0u);
+    ASSERT_TRUE(model.add_light(LightType::sun, {1, 2, 3}));
+    EXPECT_EQ(model.lights[3].name, "light4"); // light3 is taken
+    EXPECT_EQ(model.lights[3].position, vec3(0));
+    for (const Light& light : model.lights) EXPECT_NO_THROW(check_light(light, ExitCode::usage, ""));
+    while (model.selected) model.remove_selected();
+    EXPECT_TRUE(model.lights.empty());
+    EXPECT_FALSE(model.duplicate_selected());
+}
+
+TEST_F(view_model, there_are_no_more_lights_than_can_be_drawn)
+{
+    while (model.add_light(LightType::point, vec3(0))) {
+    }
+    EXPECT_EQ(model.lights.size(), static_cast<std::size_t>(max_lights));
+    EXPECT_FALSE(model.duplicate_selected());
+    EXPECT_NO_THROW(name_lights(model.lights));
+}
+
+TEST_F(view_model, a_light_that_breaks_a_rule_is_refused)
+{
+    const auto refusal = [&](auto change) {
+        Light light = model.lights[1];
+        change(light);
+        return model.set_light(1, light).value_or("");
+    };
+    EXPECT_EQ(refusal([](Light& l) { l.name = "sun"; }), "another light is called sun");
+    EXPECT_NE(refusal([](Light& l) { l.name = "12"; }), "");
+    EXPECT_NE(refusal([](Light& l) { l.type = LightType::rect, l.direction = vec3(0); }), "");
+    EXPECT_NE(refusal([](Light& l) { l.type = LightType::spot, l.inner = 50; }), "");
+    EXPECT_EQ(model.lights, (model.undo(), model.lights));
+    EXPECT_EQ(model.lights[1].name, "light1");
+    EXPECT_EQ(refusal([](Light& l) { l.name = "key"; }), "");
+    EXPECT_EQ(model.lights[1].name, "key");
+    EXPECT_EQ(refusal([](Light& l) { l.name = ""; }), "");
+    EXPECT_EQ(model.lights[1].name, "light2");
+}
+
+TEST_F(view_model, a_reset_that_is_refused_changes_nothing)
+{
+    std::vector<Light> twice = two_lights();
+    twice[1].name = "sun";
+    test::expect_error([&] { model.reset(Settings{}, Camera{}, twice); }, ExitCode::usage, "sun");
+    EXPECT_EQ(model.settings.ao.radius, 1.0f / 3.0f);
+    EXPECT_EQ(model.lights[1].name, "light1");
+}
+
+} // namespace
+} // namespace atrium::gui
