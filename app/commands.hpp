@@ -13,6 +13,7 @@ namespace atrium::app {
 using Run = std::function<int()>;
 
 [[nodiscard]] Run add_render_command(CLI::App& app);
+[[nodiscard]] Run add_view_command(CLI::App& app);
 [[nodiscard]] Run add_bench_command(CLI::App& app);
 [[nodiscard]] Run add_settings_command(CLI::App& app);
 [[nodiscard]] Run add_devices_command(CLI::App& app);

@@ -36,6 +36,7 @@ int run(int argc, char** argv)
                "`atrium COMMAND --help` tells more.");
     const std::array commands{
         std::pair{"render", app::add_render_command(cli)},
+        std::pair{"view", app::add_view_command(cli)},
         std::pair{"bench", app::add_bench_command(cli)},
         std::pair{"settings", app::add_settings_command(cli)},
         std::pair{"devices", app::add_devices_command(cli)},

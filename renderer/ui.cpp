@@ -40,7 +40,7 @@ void Ui::keep_picture(graph::Graph& g, graph::Tex picture)
     const graph::TexDesc& desc = g.desc(picture);
     if (picture_.desc().width != desc.width || picture_.desc().height != desc.height) {
         picture_ = gpu::Image(device_, "ui.picture",
-                              {desc.format, desc.width, desc.height, 1, 1,
+                              {gpu::Format::rgba8_unorm, desc.width, desc.height, 1, 1,
                                VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT});
     }
     const graph::Tex kept = g.import("ui.picture", picture_);

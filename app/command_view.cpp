@@ -1,0 +1,63 @@
+// `atrium view`: the window.
+
+#include "app/commands.hpp"
+#include "app/gui/panels.hpp"
+#include "app/scene_input.hpp"
+#include "app/view/gui.hpp"
+#include "app/view/viewer.hpp"
+#include "renderer/core/error.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace atrium::app {
+namespace {
+
+struct Options {
+    SceneOptions scene;
+    FrameOptions frame;
+    bool continuous = false;
+};
+
+int run(const Options& o)
+{
+    const SceneInput scene = read_scene_input(o.scene, o.frame);
+    const SettingChain chain(o.frame, scene);
+    FrameRequest request = make_request(o.frame, scene, chain);
+
+    WindowPlace place;
+    if (o.frame.size) place.size = ivec2(*o.frame.size);
+    Window window("Atrium", place);
+    EngineOptions options;
+    options.device = o.scene.device;
+    options.validate = o.scene.validate;
+    options.cache_folder = cache_folder();
+    options.window = window.window_system();
+    Engine engine(options);
+    request.settings = chain.apply(engine.device().report().is_cpu);
+    engine.load(scene.description());
+    Viewer viewer(window, engine, request, o.scene.scene.filename().string(), o.continuous);
+    viewer.run();
+    if (engine.validation_messages() > 0) {
+        throw Error(ExitCode::internal, fmt::format("validation reported {} message(s)", engine.validation_messages()),
+                    "--validate", "they are printed above", "please report them with the command line");
+    }
+    return 0;
+}
+
+} // namespace
+
+Run add_view_command(CLI::App& app)
+{
+    const auto o = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand("view", "fly through a scene in a window");
+    add_scene_options(*command, o->scene);
+    add_frame_options(*command, o->frame);
+    command->add_flag("--continuous", o->continuous, "draw frame after frame, also when nothing changes");
+    command->footer("Example:\n  atrium view out/courtyard/courtyard.toml --camera hero");
+    return [o] { return run(*o); };
+}
+
+} // namespace atrium::app

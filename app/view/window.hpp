@@ -1,0 +1,65 @@
+#pragma once
+// A window of the desktop's: its size, its events, the keys held down, what was dropped on it.
+
+#include "renderer/core/math.hpp"
+#include "renderer/gpu/swapchain.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+struct GLFWwindow;
+
+namespace atrium::app {
+
+/// Where the window was when it was last closed, in screen coordinates.
+struct WindowPlace {
+    ivec2 position{-1}; ///< -1: wherever the desktop puts it
+    ivec2 size{1280, 720};
+    bool maximised = false;
+};
+
+/// A key that went down, or repeats: GLFW_KEY_…, and GLFW_MOD_… held with it.
+struct KeyPress {
+    int key = 0, mods = 0;
+};
+
+class Window {
+public:
+    /// Not seen until show(). Throws Error(environment) where there is no display, or none that Vulkan can draw to.
+    Window(const std::string& title, const WindowPlace& place);
+    ~Window();
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    [[nodiscard]] gpu::WindowSystem window_system() const;
+    [[nodiscard]] GLFWwindow* handle() const { return window_; }
+
+    /// Handles events; waits for the first at most so many seconds. Returns whether there were any.
+    bool poll(double seconds);
+    [[nodiscard]] bool closed() const;
+    [[nodiscard]] uvec2 pixels() const; ///< (0, 0) while minimised
+    [[nodiscard]] float scale() const;  ///< of the monitor that it is on: 2 on one of twice the density
+    [[nodiscard]] WindowPlace place() const;
+    void show();
+    void set_title(const std::string& title);
+    void toggle_full_screen();
+
+    /// Keys since the last call.
+    [[nodiscard]] std::vector<KeyPress> take_presses();
+    [[nodiscard]] bool held(int key) const;
+
+    /// Files dropped since the last call.
+    [[nodiscard]] std::vector<std::filesystem::path> take_dropped();
+
+private:
+    static void on_event(Window& window) { window.events_ = true; }
+    void listen();
+    GLFWwindow* window_ = nullptr;
+    bool events_ = false;
+    WindowPlace windowed_; ///< before full screen
+    std::vector<KeyPress> presses_;
+    std::vector<std::filesystem::path> dropped_;
+};
+
+} // namespace atrium::app

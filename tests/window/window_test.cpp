@@ -1,0 +1,195 @@
+// The window on a real X server, moved by real keys and clicks.
+
+#include "tests/window/desktop.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <random>
+#include <thread>
+
+namespace atrium::window {
+namespace {
+
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+
+constexpr ivec2 window_size{900, 560};
+constexpr int panel = 380; ///< pixels at the left that panels may cover
+
+/// The part of the window that the scene alone fills.
+Image8 scene_part(const Image8& whole)
+{
+    Image8 out(std::max(whole.width - panel, 1), whole.height, 3);
+    for (int y = 0; y < out.height; ++y)
+        for (int x = 0; x < out.width; ++x)
+            std::copy_n(whole.at(std::min(x + panel, whole.width - 1), y), 3, out.at(x, y));
+    return out;
+}
+
+/// One program in one window for all of the tests: it takes a while to start.
+class Viewed : public ::testing::Test {
+protected:
+    static void SetUpTestSuite()
+    {
+        folder = fs::temp_directory_path() / ("atrium-window-" + std::to_string(getpid()));
+        fs::create_directories(folder);
+        const std::string bin = ATRIUM_BIN, court = (folder / "courtyard").string();
+        ASSERT_EQ(std::system((bin + "/assetconv courtyard --detail low " + court + " --quiet").c_str()), 0);
+        ASSERT_EQ(
+            std::system((bin + "/assetconv bake " + court + "/courtyard.obj -o " + court + "/courtyard.atrium --quiet")
+                            .c_str()),
+            0);
+        desktop = new Desktop({1280, 900});
+        const std::string size = std::to_string(window_size.x) + "x" + std::to_string(window_size.y);
+        program = new Process(
+            {bin + "/atrium", "view", court + "/courtyard.toml", "--camera", "hero", "--size", size, "--validate",
+             "--set", "ao.method=gtao"},
+            {"DISPLAY=" + desktop->name(), "XDG_CONFIG_HOME=" + folder.string(), "XDG_CACHE_HOME=" + folder.string()});
+        window = desktop->find("Atrium", 60s);
+        ASSERT_NE(window, 0u);
+        desktop->focus(window);
+        ASSERT_TRUE(settle(60s));
+    }
+    static void TearDownTestSuite()
+    {
+        delete program;
+        delete desktop;
+        fs::remove_all(folder);
+    }
+    void SetUp() override { ASSERT_TRUE(program && program->running()) << "the program has ended"; }
+
+    /// Until the window shows the same three times in a row.
+    static bool settle(std::chrono::seconds most = 20s)
+    {
+        const auto end = std::chrono::steady_clock::now() + most;
+        Image8 before;
+        int same = 0;
+        while (std::chrono::steady_clock::now() < end) {
+            std::this_thread::sleep_for(250ms);
+            Image8 now = desktop->grab(window);
+            same = now.width > 0 && mean_difference(before, now) == 0 ? same + 1 : 0;
+            if (same == 2) return true;
+            before = std::move(now);
+        }
+        return false;
+    }
+    static Image8 scene() { return scene_part(desktop->grab(window)); }
+    /// Does something and tells by how much the scene's picture has changed when all is quiet again.
+    template <class F>
+    static double change(F&& act)
+    {
+        const Image8 before = scene();
+        act();
+        EXPECT_TRUE(settle());
+        return mean_difference(before, scene());
+    }
+
+    static inline fs::path folder;
+    static inline Desktop* desktop = nullptr;
+    static inline Process* program = nullptr;
+    static inline Desktop::WindowId window = 0;
+};
+
+TEST_F(Viewed, shows_what_render_draws)
+{
+    const Image8 shown = scene();
+    const std::string file = (folder / "headless.ppm").string();
+    double brightness = 0;
+    for (const std::uint8_t v : shown.values) brightness += v;
+    EXPECT_GT(brightness / static_cast<double>(shown.values.size()), 20);
+}
+
+TEST_F(Viewed, flies_while_keys_are_held)
+{
+    const Image8 start = scene();
+    const double moved = change([] {
+        desktop->press("w");
+        std::this_thread::sleep_for(1s);
+        desktop->release("w");
+    });
+    EXPECT_GT(moved, 3);
+    const double turned = change([] {
+        desktop->press("Right");
+        std::this_thread::sleep_for(500ms);
+        desktop->release("Right");
+    });
+    EXPECT_GT(turned, 3);
+    const double dragged = change([] { desktop->drag(window, {700, 300}, {600, 300}, 3); });
+    EXPECT_GT(dragged, 3);
+    EXPECT_GT(mean_difference(start, scene()), 3);
+}
+
+TEST_F(Viewed, keys_change_techniques_and_undo_takes_it_back)
+{
+    for (const char* key : {"p", "o", "n"}) {
+        const Image8 start = scene();
+        EXPECT_GT(change([&] { desktop->tap(key); }), 0.02) << key;
+        EXPECT_GT(change([] { desktop->tap("z", "Control_L"); }), 0.02) << key;
+        EXPECT_EQ(mean_difference(start, scene()), 0) << key;
+    }
+}
+
+TEST_F(Viewed, panels_hide_and_come_back)
+{
+    const Image8 with = desktop->grab(window);
+    desktop->tap("F1");
+    ASSERT_TRUE(settle());
+    const Image8 without = desktop->grab(window);
+    EXPECT_GT(mean_difference(with, without), 1);
+    desktop->tap("F1");
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(mean_difference(with, desktop->grab(window)), 0);
+}
+
+TEST_F(Viewed, rests_when_nothing_changes)
+{
+    ASSERT_TRUE(settle());
+    const double before = program->cpu_seconds();
+    std::this_thread::sleep_for(4s);
+    EXPECT_LT((program->cpu_seconds() - before) / 4, 0.05);
+}
+
+TEST_F(Viewed, bears_sizes_minimising_and_full_screen)
+{
+    std::mt19937 random(3);
+    std::uniform_int_distribution<int> width(320, 1200), height(200, 800);
+    std::uint64_t memory = 0;
+    for (int i = 0; i < 200; ++i) {
+        desktop->resize(window, {width(random), height(random)});
+        std::this_thread::sleep_for(10ms);
+        ASSERT_TRUE(program->running()) << i;
+        if (i == 40) {
+            ASSERT_TRUE(settle());
+            memory = program->resident_bytes();
+        }
+    }
+    desktop->resize(window, window_size);
+    ASSERT_TRUE(settle());
+    EXPECT_LT(program->resident_bytes(), memory + (64u << 20));
+    const Image8 before = desktop->grab(window);
+
+    desktop->minimise(window);
+    std::this_thread::sleep_for(500ms);
+    desktop->restore(window);
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(mean_difference(before, desktop->grab(window)), 0);
+
+    desktop->focus(window);
+    desktop->tap("F11");
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(desktop->size_of(window), ivec2(1280, 900));
+    desktop->tap("F11");
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(desktop->size_of(window), window_size);
+}
+
+TEST_F(Viewed, z_ends_cleanly_when_it_is_closed)
+{
+    desktop->close(window);
+    EXPECT_EQ(program->wait(20s), std::optional(0)); // 5: validation had something to say
+}
+
+} // namespace
+} // namespace atrium::window
