@@ -26,6 +26,7 @@ constexpr std::array bindings{
     Binding{Action::normal_mapping, GLFW_KEY_N, 0, "N", "normal mapping on and off"},
     Binding{Action::gui, GLFW_KEY_F1, 0, "F1", "show and hide the panels"},
     Binding{Action::full_screen, GLFW_KEY_F11, 0, "F11", "full screen"},
+    Binding{Action::screenshot, GLFW_KEY_F12, 0, "F12", "write a screenshot, without panels"},
     Binding{Action::undo, GLFW_KEY_Z, GLFW_MOD_CONTROL, "Ctrl+Z", "undo"},
     Binding{Action::redo, GLFW_KEY_Y, GLFW_MOD_CONTROL, "Ctrl+Y", "redo"},
 };

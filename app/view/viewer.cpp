@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace atrium::app {
 namespace {
@@ -68,7 +69,7 @@ void Viewer::run()
         if (!busy && unsettled == 0) continue;
 
         gui_.begin(pixels);
-        handle_keys();
+        handle_keys(pixels);
         moving = fly(passed);
         draw_interface(pixels);
         const UiDraws interface = gui_.end();
@@ -106,7 +107,7 @@ bool Viewer::fly(double seconds)
     return flight_.advance(model_.camera, input, seconds);
 }
 
-void Viewer::handle_keys()
+void Viewer::handle_keys(uvec2 pixels)
 {
     for (const KeyPress& press : window_.take_presses()) {
         if (ImGui::GetIO().WantTextInput) continue;
@@ -116,6 +117,9 @@ void Viewer::handle_keys()
             break;
         case Action::full_screen:
             window_.toggle_full_screen();
+            break;
+        case Action::screenshot:
+            write_screenshot(pixels);
             break;
         case Action::undo:
             model_.undo();
@@ -145,16 +149,36 @@ void Viewer::draw_interface(uvec2 pixels)
     if (show_gui_) gui::draw_panels(model_, facts_, panels_);
 }
 
-std::string Viewer::state_text() const
+FrameRequest Viewer::wanted_frame(uvec2 size) const
 {
     FrameRequest wanted = request_;
     wanted.settings = model_.settings;
-    wanted.camera = model_.camera;
+    wanted.camera = wanted.previous_camera = model_.camera;
     wanted.lights = model_.lights;
-    wanted.size = {16, 9};
+    wanted.size = size;
+    return wanted;
+}
+
+std::string Viewer::state_text() const
+{
     std::string text;
-    for (const auto& [key, value] : describe_frame(wanted, 0)) text += key + value;
+    for (const auto& [key, value] : describe_frame(wanted_frame({16, 9}), 0)) text += key + value;
     return text;
+}
+
+void Viewer::write_screenshot(uvec2 pixels)
+{
+    FrameRequest wanted = wanted_frame(pixels);
+    wanted.want_picture = true;
+    wanted.keep_picture = wanted.remember = false;
+    std::filesystem::path file;
+    for (int i = 0; file.empty() || std::filesystem::exists(file); ++i) file = fmt::format("atrium.{:04}.png", i);
+    try {
+        write_png(file, engine_.render(wanted).picture, describe_frame(wanted, 0));
+        panels_.message = fmt::format("{} written; --config {} draws it again", file.string(), file.string());
+    } catch (const Error& error) {
+        panels_.message = error.text();
+    }
 }
 
 void Viewer::draw_scene(uvec2 pixels, bool moving)
@@ -165,11 +189,9 @@ void Viewer::draw_scene(uvec2 pixels, bool moving)
     const float share = moving && !same ? (chosen > 0 ? chosen : moving_scale_.choose(moving_goal_ms)) : 1;
     if (same && drawn_share_ >= share && !continuous_) return;
 
-    request_.settings = model_.settings;
-    request_.previous_camera = request_.camera;
-    request_.camera = model_.camera;
-    request_.lights = model_.lights;
-    request_.size = glm::max(uvec2(share * vec2(pixels)), uvec2(16));
+    const Camera before = request_.camera;
+    request_ = wanted_frame(glm::max(uvec2(share * vec2(pixels)), uvec2(16)));
+    request_.previous_camera = before;
     request_.want_picture = request_.want_hdr = false;
     request_.keep_picture = true;
     request_.want_statistics = share == 1;

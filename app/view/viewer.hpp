@@ -33,8 +33,12 @@ public:
 
 private:
     [[nodiscard]] bool fly(double seconds);
-    void handle_keys();
+    void handle_keys(uvec2 pixels);
     void draw_interface(uvec2 pixels);
+    /// What the model says, drawn as `render` draws it, into the present folder, with its description.
+    void write_screenshot(uvec2 pixels);
+    /// A request for what is to be shown now, at that size.
+    [[nodiscard]] FrameRequest wanted_frame(uvec2 size) const;
     /// Draws the scene if what it shows is not what is wanted.
     void draw_scene(uvec2 pixels, bool moving);
     [[nodiscard]] std::string state_text() const;

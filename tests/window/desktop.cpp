@@ -83,11 +83,13 @@ Window find_below(Display* display, Window parent, const std::string& title)
 
 } // namespace
 
-Process::Process(const std::vector<std::string>& command, const std::vector<std::string>& environment)
+Process::Process(const std::vector<std::string>& command, const std::filesystem::path& folder,
+                 const std::vector<std::string>& environment)
 {
     pid_ = fork();
     if (pid_ < 0) throw std::runtime_error("cannot start " + command.front());
     if (pid_ > 0) return;
+    if (!folder.empty() && chdir(folder.c_str()) != 0) _exit(127);
     for (const std::string& variable : environment) putenv(const_cast<char*>(variable.c_str()));
     std::vector<char*> arguments;
     for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
@@ -143,7 +145,7 @@ Desktop::Desktop(ivec2 size)
     const std::string screen = std::to_string(size.x) + "x" + std::to_string(size.y) + "x24";
     server_.emplace(std::vector<std::string>{"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0", screen,
                                              "-nolisten", "tcp", "-noreset"},
-                    std::vector<std::string>{});
+                    "", std::vector<std::string>{});
     ::close(ends[1]);
     std::string number;
     for (char c = 0; read(ends[0], &c, 1) == 1 && c != '\n';) number += c;
@@ -152,7 +154,7 @@ Desktop::Desktop(ivec2 size)
     name_ = ":" + number;
     display_ = XOpenDisplay(name_.c_str());
     if (!display_) throw std::runtime_error("cannot reach " + name_);
-    manager_.emplace(std::vector<std::string>{"openbox", "--sm-disable"},
+    manager_.emplace(std::vector<std::string>{"openbox", "--sm-disable"}, "",
                      std::vector<std::string>{"DISPLAY=" + name_, "HOME=/nonexistent"});
     const Atom check = XInternAtom(display_, "_NET_SUPPORTING_WM_CHECK", False);
     const bool managed = await(

@@ -5,6 +5,7 @@
 #include "renderer/core/math.hpp"
 
 #include <chrono>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,7 +17,9 @@ namespace atrium::window {
 /// A program that ends with its object at the latest.
 class Process {
 public:
-    Process(const std::vector<std::string>& command, const std::vector<std::string>& environment);
+    /// In a folder (empty: this one), with variables set beside those that there are.
+    Process(const std::vector<std::string>& command, const std::filesystem::path& folder,
+            const std::vector<std::string>& environment);
     ~Process();
     Process(const Process&) = delete;
     Process& operator=(const Process&) = delete;
