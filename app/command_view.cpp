@@ -5,6 +5,7 @@
 #include "app/scene_input.hpp"
 #include "app/view/gui.hpp"
 #include "app/view/viewer.hpp"
+#include "app/view/window_state.hpp"
 #include "renderer/core/error.hpp"
 
 #include <CLI/CLI.hpp>
@@ -27,9 +28,12 @@ int run(const Options& o)
     const SettingChain chain(o.frame, scene);
     FrameRequest request = make_request(o.frame, scene, chain);
 
-    WindowPlace place;
-    if (o.frame.size) place.size = ivec2(*o.frame.size);
-    Window window("Atrium", place);
+    const std::filesystem::path state_file = window_state_file(), path = std::filesystem::absolute(o.scene.scene);
+    WindowState state = read_window_state(state_file).value_or(WindowState{});
+    if (o.frame.size) state.place.size = ivec2(*o.frame.size);
+    const bool camera_given = !o.frame.camera.empty() || o.frame.eye || !o.frame.config.empty();
+    if (state.scene == path && !camera_given) request.camera = state.camera;
+    Window window("Atrium", state.place);
     EngineOptions options;
     options.device = o.scene.device;
     options.validate = o.scene.validate;
@@ -40,6 +44,7 @@ int run(const Options& o)
     engine.load(scene.description());
     Viewer viewer(window, engine, request, o.scene.scene.filename().string(), o.continuous);
     viewer.run();
+    write_window_state(state_file, {window.place(), path, viewer.camera()});
     if (engine.validation_messages() > 0) {
         throw Error(ExitCode::internal, fmt::format("validation reported {} message(s)", engine.validation_messages()),
                     "--validate", "they are printed above", "please report them with the command line");

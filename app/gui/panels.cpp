@@ -174,7 +174,7 @@ void draw_panels(ViewModel& model, const FrameFacts& facts, PanelState& state)
         draw_tabs(model, facts, state);
     }
     ImGui::End();
-    if (!ImGui::IsAnyItemActive()) model.checkpoint();
+    if (!ImGui::IsAnyItemActive() && !state.dragging) model.checkpoint();
 }
 
 std::string camera_options(const Camera& camera)

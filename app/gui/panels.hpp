@@ -44,6 +44,7 @@ struct PanelState {
     std::string message;                       ///< shown on top until it is put away: what was refused, and why
     std::optional<Tab> show;                   ///< turn to this tab in the next frame
     std::string filter;                        ///< of the settings
+    bool dragging = false;                     ///< something beside the panels is in the middle of an edit
     Headings headings = Headings::as_they_are; ///< of the settings, in the next frame that shows them
 };
 

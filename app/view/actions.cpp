@@ -50,6 +50,7 @@ std::vector<gui::KeyHelp> key_table()
         {"Shift", "faster"},
         {"Wheel", "speed"},
         {"Arrows, drag", "turn the view"},
+        {"Ctrl+drag", "move the selected light (Shift: along the view)"},
     };
     for (const Binding& b : bindings) out.push_back({b.label, b.help});
     return out;

@@ -94,17 +94,34 @@ bool Viewer::fly(double seconds)
         input.turn = rate * vec2(axis(GLFW_KEY_RIGHT, GLFW_KEY_LEFT), axis(GLFW_KEY_UP, GLFW_KEY_DOWN));
         input.fast = io.KeyShift;
     }
-    const bool drag = !io.WantCaptureMouse && !io.KeyCtrl &&
+    const bool drag = !io.WantCaptureMouse &&
                       (ImGui::IsMouseDown(ImGuiMouseButton_Right) || ImGui::IsMouseDown(ImGuiMouseButton_Left));
     const vec2 mouse(io.MousePos.x, io.MousePos.y);
-    if (drag && drag_from_) {
+    if (drag && drag_from_ && io.KeyCtrl) {
+        drag_light(mouse - *drag_from_, io.KeyShift);
+    } else if (drag && drag_from_) {
         // Across the picture's height the view turns by what it spans.
         const float per_pixel = glm::radians(model_.camera.fov) / io.DisplaySize.y;
         input.turn += per_pixel * vec2(mouse.x - drag_from_->x, drag_from_->y - mouse.y);
     }
     drag_from_ = drag ? std::optional(mouse) : std::nullopt;
+    panels_.dragging = drag && io.KeyCtrl;
     if (!io.WantCaptureMouse) input.wheel = io.MouseWheel;
     return flight_.advance(model_.camera, input, seconds);
+}
+
+void Viewer::drag_light(vec2 pixels, bool along)
+{
+    if (!model_.selected) return;
+    Light light = model_.lights[*model_.selected];
+    if (light.type == LightType::sun) return; // which stands nowhere
+    const mat4 view = view_from_world(model_.camera);
+    const auto axis = [&](int row) { return vec3(view[0][row], view[1][row], view[2][row]); };
+    const float distance = std::max(-glm::dot(axis(2), light.position - model_.camera.eye), 0.1f);
+    const float per_pixel =
+        2 * distance * std::tan(glm::radians(0.5f * model_.camera.fov)) / ImGui::GetIO().DisplaySize.y;
+    light.position += per_pixel * (along ? axis(2) * pixels.y : axis(0) * pixels.x - axis(1) * pixels.y);
+    if (const auto refused = model_.set_light(*model_.selected, light)) panels_.message = *refused;
 }
 
 void Viewer::handle_keys(uvec2 pixels)

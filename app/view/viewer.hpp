@@ -30,9 +30,12 @@ public:
     Viewer(Window& window, Engine& engine, const FrameRequest& start, const std::string& scene, bool continuous);
     /// Until the window is closed.
     void run();
+    [[nodiscard]] const Camera& camera() const { return model_.camera; }
 
 private:
     [[nodiscard]] bool fly(double seconds);
+    /// The selected light follows the mouse: in the view's plane, or (`along`) nearer and farther.
+    void drag_light(vec2 pixels, bool along);
     void handle_keys(uvec2 pixels);
     void draw_interface(uvec2 pixels);
     /// What the model says, drawn as `render` draws it, into the present folder, with its description.

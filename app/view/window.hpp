@@ -17,6 +17,7 @@ struct WindowPlace {
     ivec2 position{-1}; ///< -1: wherever the desktop puts it
     ivec2 size{1280, 720};
     bool maximised = false;
+    bool operator==(const WindowPlace&) const = default;
 };
 
 /// A key that went down, or repeats: GLFW_KEY_…, and GLFW_MOD_… held with it.

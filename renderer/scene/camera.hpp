@@ -17,6 +17,7 @@ struct Camera {
     vec3 eye{0, 1.7f, 5};
     vec3 target{0, 1.7f, 0};
     float fov = 60; ///< vertical, degrees
+    bool operator==(const Camera&) const = default;
 };
 
 /// Eye and target within world_range and apart, fov between 1 and 170 degrees (both excluded). Throws Error(`code`);

@@ -1,0 +1,73 @@
+#include "app/view/window_state.hpp"
+
+#include "app/toml_text.hpp"
+#include "renderer/core/atomic_file.hpp"
+#include "renderer/core/error.hpp"
+#include "renderer/core/log.hpp"
+#include "renderer/scene/toml_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+namespace atrium::app {
+namespace {
+
+constexpr Range screen_range{-32768, 32767};
+
+int whole(const TomlReader& reader, const char* key, int otherwise)
+{
+    return static_cast<int>(reader.number(key, screen_range).value_or(static_cast<float>(otherwise)));
+}
+
+} // namespace
+
+std::filesystem::path window_state_file()
+{
+    const std::filesystem::path name = std::filesystem::path("atrium") / "window.toml";
+    if (const char* xdg = std::getenv("XDG_CONFIG_HOME"); xdg && *xdg) return xdg / name;
+    if (const char* home = std::getenv("HOME"); home && *home) return std::filesystem::path(home) / ".config" / name;
+    return {};
+}
+
+std::optional<WindowState> read_window_state(const std::filesystem::path& file)
+{
+    if (file.empty() || !std::filesystem::exists(file)) return std::nullopt;
+    try {
+        const toml::table table = parse_toml(file);
+        const TomlReader reader(file, table, "the window's state",
+                                {"x", "y", "width", "height", "maximised", "scene", "eye", "target", "fov"});
+        WindowState s;
+        s.place.position = {whole(reader, "x", -1), whole(reader, "y", -1)};
+        s.place.size = {whole(reader, "width", s.place.size.x), whole(reader, "height", s.place.size.y)};
+        s.place.maximised = reader.on_off("maximised").value_or(false);
+        s.scene = reader.text("scene").value_or("");
+        s.camera.eye = reader.vector("eye", world_range).value_or(s.camera.eye);
+        s.camera.target = reader.vector("target", world_range).value_or(s.camera.target);
+        s.camera.fov = reader.number("fov", {1, 170}).value_or(s.camera.fov);
+        check_camera(s.camera, ExitCode::input, file.string());
+        return s;
+    } catch (const Error& error) {
+        log_info(error.text());
+        return std::nullopt;
+    }
+}
+
+void write_window_state(const std::filesystem::path& file, const WindowState& s)
+{
+    if (file.empty()) return;
+    const auto vector = [](const vec3& v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); };
+    const std::string text = fmt::format(
+        "x = {}\ny = {}\nwidth = {}\nheight = {}\nmaximised = {}\nscene = {}\neye = {}\ntarget = {}\nfov = {}\n",
+        s.place.position.x, s.place.position.y, s.place.size.x, s.place.size.y, s.place.maximised,
+        toml_string(s.scene.string()), vector(s.camera.eye), vector(s.camera.target), s.camera.fov);
+    try {
+        std::error_code ignored; // writing tells
+        std::filesystem::create_directories(file.parent_path(), ignored);
+        write_text_file(file, text);
+    } catch (const Error& error) {
+        log_info(error.text());
+    }
+}
+
+} // namespace atrium::app

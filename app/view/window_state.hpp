@@ -1,0 +1,28 @@
+#pragma once
+// What a window remembers from one run to the next: where it was, and what it last looked at.
+
+#include "app/view/window.hpp"
+#include "renderer/scene/camera.hpp"
+
+#include <filesystem>
+#include <optional>
+
+namespace atrium::app {
+
+struct WindowState {
+    WindowPlace place;
+    std::filesystem::path scene; ///< absolute; empty: none yet
+    Camera camera;               ///< in it
+    bool operator==(const WindowState&) const = default;
+};
+
+/// $XDG_CONFIG_HOME/atrium/window.toml, or below ~/.config; empty when neither variable is set.
+[[nodiscard]] std::filesystem::path window_state_file();
+
+/// None where there is no such file. A damaged one is told of and taken for none: it must not keep a window shut.
+[[nodiscard]] std::optional<WindowState> read_window_state(const std::filesystem::path& file);
+
+/// Makes the folder. Tells when it cannot be written, and goes on.
+void write_window_state(const std::filesystem::path& file, const WindowState& state);
+
+} // namespace atrium::app
