@@ -1,9 +1,7 @@
 // `atrium view`: the window.
 
 #include "app/commands.hpp"
-#include "app/gui/panels.hpp"
 #include "app/scene_input.hpp"
-#include "app/view/gui.hpp"
 #include "app/view/viewer.hpp"
 #include "app/view/window_state.hpp"
 #include "renderer/core/error.hpp"

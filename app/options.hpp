@@ -1,5 +1,5 @@
 #pragma once
-// The options that `render`, `bench` and later `view` share, as typed.
+// The options that `render`, `bench` and `view` share, as typed.
 
 #include "renderer/core/math.hpp"
 

@@ -76,10 +76,11 @@ public:
 
     /// RGBA8 of what user interfaces are written with, rows from the top. Before the first show().
     void set_ui_font(uvec2 size, std::span<const std::byte> rgba);
-    /// Shows the picture kept last under a user interface, in a window of so many pixels. Returns the size it has: the
-    /// interface is drawn for that one. (0, 0): it is minimised, and nothing was shown.
+    /// Makes ready for a window of so many pixels. Returns the size that it has, for which an interface is to be drawn;
+    /// (0, 0): it is minimised, and show() must wait.
     [[nodiscard]] uvec2 window_size(uvec2 wanted, gpu::PresentMode mode);
-    /// False where the window has changed in between; the next window_size() tells how.
+    /// Shows the picture kept last under a user interface. False where the window has changed in between; the next
+    /// window_size() tells how.
     bool show(const UiDraws& ui);
 
     [[nodiscard]] const gpu::Device& device() const;

@@ -2,7 +2,6 @@
 
 #include "renderer/scene_upload.hpp"
 
-#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 

@@ -34,13 +34,11 @@ public:
 
     /// Reads  the frame's picture (RGBA8).  Keeps it.
     void keep_picture(graph::Graph& g, graph::Tex picture);
-    [[nodiscard]] bool has_picture() const { return picture_kept_; }
 
     /// Reads  font, kept picture.  Writes  the window's image, all of it.
     void add(graph::Graph& g, graph::Tex window, const UiDraws& draws);
 
 private:
-    [[nodiscard]] graph::Tex import_picture(graph::Graph& g);
     const gpu::Device& device_;
     gpu::Image font_, picture_;
     gpu::Buffer vertices_, indices_;

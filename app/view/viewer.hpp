@@ -6,7 +6,6 @@
 #include "app/gui/view_model.hpp"
 #include "app/view/gui.hpp"
 
-#include <chrono>
 #include <optional>
 #include <string>
 

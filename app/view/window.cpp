@@ -79,7 +79,7 @@ void Window::listen()
 {
     glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {
         on_event(self(w));
-        if (action != GLFW_RELEASE) self(w).presses_.push_back({key, mods});
+        if (action == GLFW_PRESS) self(w).presses_.push_back({key, mods});
     });
     glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { on_event(self(w)); });
     glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { on_event(self(w)); });
@@ -90,10 +90,6 @@ void Window::listen()
     glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { on_event(self(w)); });
     glfwSetWindowIconifyCallback(window_, [](GLFWwindow* w, int) { on_event(self(w)); });
     glfwSetWindowContentScaleCallback(window_, [](GLFWwindow* w, float, float) { on_event(self(w)); });
-    glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
-        on_event(self(w));
-        self(w).dropped_.insert(self(w).dropped_.end(), paths, paths + count);
-    });
 }
 
 gpu::WindowSystem Window::window_system() const
@@ -186,11 +182,6 @@ std::vector<KeyPress> Window::take_presses()
 bool Window::held(int key) const
 {
     return glfwGetKey(window_, key) == GLFW_PRESS;
-}
-
-std::vector<std::filesystem::path> Window::take_dropped()
-{
-    return std::exchange(dropped_, {});
 }
 
 } // namespace atrium::app

@@ -4,7 +4,6 @@
 #include "renderer/core/math.hpp"
 #include "renderer/gpu/swapchain.hpp"
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -20,7 +19,7 @@ struct WindowPlace {
     bool operator==(const WindowPlace&) const = default;
 };
 
-/// A key that went down, or repeats: GLFW_KEY_…, and GLFW_MOD_… held with it.
+/// A key that went down: GLFW_KEY_…, and GLFW_MOD_… held with it.
 struct KeyPress {
     int key = 0, mods = 0;
 };
@@ -50,9 +49,6 @@ public:
     [[nodiscard]] std::vector<KeyPress> take_presses();
     [[nodiscard]] bool held(int key) const;
 
-    /// Files dropped since the last call.
-    [[nodiscard]] std::vector<std::filesystem::path> take_dropped();
-
 private:
     static void on_event(Window& window) { window.events_ = true; }
     void listen();
@@ -60,7 +56,6 @@ private:
     bool events_ = false;
     WindowPlace windowed_; ///< before full screen
     std::vector<KeyPress> presses_;
-    std::vector<std::filesystem::path> dropped_;
 };
 
 } // namespace atrium::app
