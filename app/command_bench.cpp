@@ -175,11 +175,7 @@ int run(const Options& o)
     const SettingChain chain(o.frame, scene);
     FrameRequest request = make_request(o.frame, scene, chain);
 
-    EngineOptions options;
-    options.device = o.scene.device;
-    options.validate = o.scene.validate;
-    options.cache_folder = cache_folder();
-    Engine engine(options);
+    Engine engine(engine_options(o.scene));
     request.settings = chain.apply(engine.device().report().is_cpu);
 
     Samples samples;
@@ -193,11 +189,7 @@ int run(const Options& o)
     if (load && !wanted.empty()) wanted.emplace_back("parse");
     const nlohmann::ordered_json json = report(samples, wanted, engine.device().report().name);
     if (!o.json.empty()) write_json_text(o.json, json.dump(2) + "\n");
-    if (engine.validation_messages() > 0) {
-        throw Error(ExitCode::internal, "validation reported messages", "--validate", "they are printed above",
-                    "please report them");
-    }
-    return 0;
+    return verdict(engine);
 }
 
 } // namespace

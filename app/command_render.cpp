@@ -32,15 +32,6 @@ struct Options {
     std::filesystem::path stats, graph;
 };
 
-/// One validation message fails the run, whatever was drawn.
-int verdict(const Engine& engine)
-{
-    const std::size_t messages = engine.validation_messages();
-    if (messages == 0) return 0;
-    throw Error(ExitCode::internal, fmt::format("validation reported {} message(s)", messages), "--validate",
-                "they are printed above", "please report them with the command line");
-}
-
 void write_graph(const std::filesystem::path& file, const graph::Runner& runner);
 
 int run(const Options& o)
@@ -57,11 +48,7 @@ int run(const Options& o)
     outputs.check_writable();
     const double read_ms = ms_since(start);
 
-    EngineOptions options;
-    options.device = o.scene.device;
-    options.validate = o.scene.validate;
-    options.cache_folder = cache_folder();
-    Engine engine(options);
+    Engine engine(engine_options(o.scene));
     log_verbose(fmt::format("device: {}", engine.device().report().name));
     request.settings = chain.apply(engine.device().report().is_cpu);
     const auto load_start = std::chrono::steady_clock::now();

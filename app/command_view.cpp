@@ -4,10 +4,8 @@
 #include "app/scene_input.hpp"
 #include "app/view/viewer.hpp"
 #include "app/view/window_state.hpp"
-#include "renderer/core/error.hpp"
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
 #include <memory>
 
@@ -32,10 +30,7 @@ int run(const Options& o)
     const bool camera_given = !o.frame.camera.empty() || o.frame.eye || !o.frame.config.empty();
     if (state.scene == path && !camera_given) request.camera = state.camera;
     Window window("Atrium", state.place);
-    EngineOptions options;
-    options.device = o.scene.device;
-    options.validate = o.scene.validate;
-    options.cache_folder = cache_folder();
+    EngineOptions options = engine_options(o.scene);
     options.window = window.window_system();
     Engine engine(options);
     request.settings = chain.apply(engine.device().report().is_cpu);
@@ -43,11 +38,7 @@ int run(const Options& o)
     Viewer viewer(window, engine, request, o.scene.scene.filename().string(), o.continuous);
     viewer.run();
     write_window_state(state_file, {window.place(), path, viewer.camera()});
-    if (engine.validation_messages() > 0) {
-        throw Error(ExitCode::internal, fmt::format("validation reported {} message(s)", engine.validation_messages()),
-                    "--validate", "they are printed above", "please report them with the command line");
-    }
-    return 0;
+    return verdict(engine);
 }
 
 } // namespace

@@ -173,4 +173,21 @@ FrameRequest make_request(const FrameOptions& o, const SceneInput& scene, const 
     return request;
 }
 
+EngineOptions engine_options(const SceneOptions& o)
+{
+    EngineOptions out;
+    out.device = o.device;
+    out.validate = o.validate;
+    out.cache_folder = cache_folder();
+    return out;
+}
+
+int verdict(const Engine& engine)
+{
+    const std::size_t messages = engine.validation_messages();
+    if (messages == 0) return 0;
+    throw Error(ExitCode::internal, fmt::format("validation reported {} message(s)", messages), "--validate",
+                "they are printed above", "please report them with the command line");
+}
+
 } // namespace atrium::app

@@ -52,6 +52,13 @@ private:
 /// defaults, to find mistakes before a device is touched.
 [[nodiscard]] FrameRequest make_request(const FrameOptions& o, const SceneInput& scene, const SettingChain& chain);
 
+/// The engine that the options ask for, with the program's cache.
+[[nodiscard]] EngineOptions engine_options(const SceneOptions& o);
+
+/// The exit code of a command that has drawn: 0. Throws Error(internal) where validation had something to say: one
+/// message fails a run, whatever was drawn.
+[[nodiscard]] int verdict(const Engine& engine);
+
 /// $XDG_CACHE_HOME/atrium, or ~/.cache/atrium; empty when neither variable is set.
 [[nodiscard]] std::filesystem::path cache_folder();
 
