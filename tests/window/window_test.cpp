@@ -115,26 +115,6 @@ TEST_F(Viewed, shows_what_render_draws)
     if (const char* wanted = std::getenv("ATRIUM_WINDOW_PICTURE")) write_png(wanted, desktop->grab(window));
 }
 
-TEST_F(Viewed, flies_while_keys_are_held)
-{
-    const Image8 start = scene();
-    const double moved = change([] {
-        desktop->press("w");
-        std::this_thread::sleep_for(1s);
-        desktop->release("w");
-    });
-    EXPECT_GT(moved, 3);
-    const double turned = change([] {
-        desktop->press("Right");
-        std::this_thread::sleep_for(500ms);
-        desktop->release("Right");
-    });
-    EXPECT_GT(turned, 3);
-    const double dragged = change([] { desktop->drag(window, {700, 300}, {600, 300}, 3); });
-    EXPECT_GT(dragged, 3);
-    EXPECT_GT(mean_difference(start, scene()), 3);
-}
-
 TEST_F(Viewed, keys_change_techniques_and_undo_takes_it_back)
 {
     for (const char* key : {"p", "o", "n"}) {
@@ -157,8 +137,8 @@ TEST_F(Viewed, the_selected_light_follows_ctrl_and_drag)
                   desktop->drag(window, {650, 300}, {750, 380});
                   desktop->release("Control_L");
               }),
-              0.002);
-    EXPECT_GT(change([] { desktop->tap("z", "Control_L"); }), 0.002);
+              0.02);
+    EXPECT_GT(change([] { desktop->tap("z", "Control_L"); }), 0.02);
     EXPECT_EQ(mean_difference(start, scene()), 0); // the view has not turned with it
 }
 
@@ -232,6 +212,27 @@ TEST_F(Viewed, bears_sizes_minimising_and_full_screen)
     desktop->tap("F11");
     ASSERT_TRUE(settle());
     EXPECT_EQ(desktop->size_of(window), window_size);
+}
+
+// After those that measure what one camera sees: where it comes to rest depends on how fast frames are.
+TEST_F(Viewed, flies_while_keys_are_held)
+{
+    const Image8 start = scene();
+    const double moved = change([] {
+        desktop->press("w");
+        std::this_thread::sleep_for(1s);
+        desktop->release("w");
+    });
+    EXPECT_GT(moved, 3);
+    const double turned = change([] {
+        desktop->press("Right");
+        std::this_thread::sleep_for(500ms);
+        desktop->release("Right");
+    });
+    EXPECT_GT(turned, 3);
+    const double dragged = change([] { desktop->drag(window, {700, 300}, {600, 300}, 3); });
+    EXPECT_GT(dragged, 3);
+    EXPECT_GT(mean_difference(start, scene()), 3);
 }
 
 TEST_F(Viewed, z_ends_cleanly_and_comes_back_where_it_was)
