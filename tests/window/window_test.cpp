@@ -68,7 +68,12 @@ protected:
         delete desktop;
         fs::remove_all(folder);
     }
-    void SetUp() override { ASSERT_TRUE(program && program->running()) << "the program has ended"; }
+    void SetUp() override
+    {
+        ASSERT_TRUE(program && program->running()) << "the program has ended";
+        desktop->focus(window); // which a window manager may take a while to give back after full screen
+        std::this_thread::sleep_for(200ms);
+    }
 
     /// Until the window shows the same three times in a row.
     static bool settle(std::chrono::seconds most = 20s)
