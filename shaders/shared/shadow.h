@@ -48,6 +48,22 @@ const uint show_visibility = 0, show_blocker = 1, show_penumbra = 2, show_cascad
 // the surface is seen too steeply for more, 4 x 4.
 const float blur_none = 0, blur_row = 1, blur_column = 2, blur_full = 3;
 
+// Sets of samples, one behind the other in a table: for the search for blockers; for the filter; for its filter over a
+// texel or two, which comparisons of 2 x 2 texels cover soon; for what is averaged over 4 x 4 pixels; and for the search and
+// the filter where a penumbra is too narrow in the picture for that.
+const uint set_search = 0, set_filter = 1, set_filter_tiny = 2, set_filter_wide = 3, set_search_narrow = 4, set_filter_narrow = 5;
+const uint sample_sets = 6;
+
+/// Of shadow.blocker_samples and shadow.samples.
+SHARED_FUNCTION uint samples_in_set(uint set, uint blocker_samples, uint samples)
+{
+    if (set == set_search) return blocker_samples;
+    if (set == set_search_narrow) return 3u * blocker_samples;
+    if (set == set_filter_narrow) return 3u * samples;
+    uint fewer = set == set_filter_tiny ? samples / 4u : set == set_filter_wide ? 2u * samples / 3u : samples;
+    return fewer < 4u ? 4u : fewer;
+}
+
 struct VisibilityPush {
     vec3 position;           // m; not of a sun
     float near;              // m: depth is near / z; sun: where it is 1, along its axis

@@ -156,22 +156,52 @@ double edge_error(const std::vector<vec2>& set)
     return std::sqrt(sum / (angles * steps));
 }
 
-TEST(sample_sets, evened_out_discs_tell_edges_better_and_stay_in_the_disc)
+TEST(sample_sets, evened_out_discs_tell_edges_better_and_lie_around_the_centre)
 {
     for (const int count : {8, 16, 32, 64}) {
         double before = 0, after = 0, square = 0;
         for (std::uint64_t seed = 1; seed <= 30; ++seed) {
             std::vector<vec2> set = disc_samples(count, seed);
             before += edge_error(set);
-            even_out_radii(set);
+            even_out(set);
             after += edge_error(set);
+            EXPECT_LT(mean_length(set), 1e-5);
             for (const vec2& p : set) {
-                EXPECT_LE(glm::length(p), 1);
+                EXPECT_LE(glm::length(p), 1.03);
                 square += static_cast<double>(glm::dot(p, p)) / (30.0 * count);
             }
         }
-        EXPECT_LT(after, 0.83 * before) << count;
-        EXPECT_NEAR(square, 0.5, 0.07) << count; // of the disc
+        EXPECT_LT(after, 0.8 * before) << count;
+        EXPECT_NEAR(square, 0.5, 0.005) << count; // of the disc
+    }
+}
+
+TEST(sample_sets, spirals_tell_edges_better_still)
+{
+    for (const int count : {12, 24, 48, 96, 192}) {
+        const std::vector<vec2> spiral = spiral_samples(count);
+        ASSERT_EQ(static_cast<int>(spiral.size()), count);
+        for (const vec2& p : spiral) EXPECT_LT(glm::length(p), 1);
+        // Noise of independent points would fall with the root of their number.
+        EXPECT_LT(edge_error(spiral), 0.32 * std::pow(count, -0.75)) << count;
+    }
+}
+
+TEST(sample_sets, a_lattice_has_each_of_its_rows_and_columns_once)
+{
+    for (const int count : {4, 21, 32, 96, 192}) {
+        const std::vector<vec2> lattice = lattice_samples(count);
+        ASSERT_EQ(static_cast<int>(lattice.size()), count);
+        for (int axis = 0; axis < 2; ++axis) {
+            std::vector<float> at;
+            for (const vec2& p : lattice) at.push_back(0.5f * p[axis] + 0.5f);
+            std::sort(at.begin(), at.end());
+            at.push_back(at.front() + 1); // around its sides
+            for (std::size_t i = 1; i < at.size(); ++i) {
+                EXPECT_LT(at[i] - at[i - 1], 1.8 / count) << count;
+                EXPECT_GT(at[i] - at[i - 1], 0.3 / count) << count;
+            }
+        }
     }
 }
 

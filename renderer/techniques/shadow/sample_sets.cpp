@@ -163,19 +163,43 @@ std::vector<vec2> square_samples(int count, std::uint64_t seed)
     return {points.begin(), points.end()};
 }
 
-void even_out_radii(std::vector<vec2>& disc, float share)
+std::vector<vec2> spiral_samples(int count)
+{
+    constexpr float golden_angle = 2 * std::numbers::pi_v<float> * (1 - 1 / std::numbers::phi_v<float>);
+    std::vector<vec2> points;
+    for (int i = 0; i < count; ++i) {
+        const float radius = std::sqrt((static_cast<float>(i) + 0.5f) / static_cast<float>(count));
+        const float angle = golden_angle * static_cast<float>(i);
+        points.push_back(radius * vec2(std::cos(angle), std::sin(angle)));
+    }
+    return points;
+}
+
+std::vector<vec2> lattice_samples(int count)
+{
+    std::vector<vec2> points;
+    for (int i = 0; i < count; ++i) {
+        const auto k = static_cast<float>(i);
+        points.push_back(
+            glm::fract(vec2((k + 0.5f) / static_cast<float>(count), k * std::numbers::phi_v<float>)) * 2.0f - 1.0f);
+    }
+    return points;
+}
+
+void even_out(std::vector<vec2>& disc)
 {
     std::vector<std::size_t> by_radius(disc.size());
     std::iota(by_radius.begin(), by_radius.end(), std::size_t{0});
     std::stable_sort(by_radius.begin(), by_radius.end(), [&](std::size_t a, std::size_t b) {
         return glm::dot(disc[a], disc[a]) < glm::dot(disc[b], disc[b]);
     });
+    const auto count = static_cast<float>(disc.size());
     for (std::size_t i = 0; i < by_radius.size(); ++i) {
         vec2& p = disc[by_radius[i]];
-        const float radius = std::max(glm::length(p), 1e-6f);
-        const float even = std::sqrt((static_cast<float>(i) + 0.5f) / static_cast<float>(disc.size()));
-        p *= (share * even + (1 - share) * radius) / radius;
+        p *= std::sqrt((static_cast<float>(i) + 0.5f) / count) / std::max(glm::length(p), 1e-6f);
     }
+    const vec2 mean = std::accumulate(disc.begin(), disc.end(), vec2(0)) / count;
+    for (vec2& p : disc) p -= mean;
 }
 
 } // namespace atrium

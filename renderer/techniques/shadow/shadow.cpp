@@ -72,11 +72,6 @@ std::uint32_t shader_filter(ShadowFilter filter)
 
 } // namespace
 
-int samples_before_blur(const ShadowSettings& s)
-{
-    return std::max(2 * s.samples / 3, 4);
-}
-
 std::vector<std::uint32_t> shadowed_lights(std::span<const Light> lights, const ShadowSettings& s)
 {
     std::vector<std::uint32_t> out;
@@ -99,7 +94,7 @@ void add_visibility(graph::Graph& g, const GBuffer& gb, const ShadowMapSet& set,
                        static_cast<std::uint32_t>(s.blocker_samples),
                        static_cast<std::uint32_t>(s.samples),
                        shown,
-                       static_cast<std::uint32_t>(target.blurred ? samples_before_blur(s) : 0)};
+                       static_cast<std::uint32_t>(target.blurred)};
     shared::VisibilityPush push = push_of(map, light, s);
     push.weight = target.weight;
     const vec3 apart = light.position - target.centre.value_or(light.position);

@@ -53,7 +53,7 @@ void describe(V& v, ShadowSettings& s)
       Cpu{12});
     v("blur", s.blur,
       "pcss: where a penumbra is wide in the picture, do with two thirds of the comparisons and take the noise out "
-      "with 4 x 4 pixels");
+      "with 4 x 4 pixels; where it is narrow, take three times as many");
     v("softness", s.softness, "pcss and reference: multiplies the size of every light", Range{0, 10}, "");
     v("radius", s.radius, "pcf: of the disc", Range{0, 64}, "texels");
     v("bias_normal", s.bias_normal, "Moves the shaded point off its surface", Range{0, 8}, "texels");
@@ -68,9 +68,6 @@ void describe(V& v, ShadowSettings& s)
     v("reference_points", s.reference_points, "reference: points of each light; fewer where many lights share a frame",
       Range{1, 1024}, "");
 }
-
-/// pcss: comparisons at a pixel that will be averaged with 15 others.
-[[nodiscard]] int samples_before_blur(const ShadowSettings& s);
 
 /// Indices of the lights that cast shadows, in order: their places among the layers of visibility.
 [[nodiscard]] std::vector<std::uint32_t> shadowed_lights(std::span<const Light> lights, const ShadowSettings& s);
@@ -90,7 +87,7 @@ struct ShadowMap {
 struct ShadowMapSet {
     std::vector<ShadowMap> maps;
     graph::Buf faces;                        ///< ShadowFace of all maps
-    graph::Buf disc_samples, square_samples; ///< for blockers, the filter, the filter before a blur
+    graph::Buf disc_samples, square_samples; ///< sets of samples: shared::set_…
 };
 
 /// What is looked at of a light's shadows: shared::show_….

@@ -133,25 +133,31 @@ void ShadowMaps::tell(const std::string& text)
 
 void ShadowMaps::write_samples(const ShadowSettings& s)
 {
-    const std::array counts{s.blocker_samples, s.samples, samples_before_blur(s)};
+    const std::array counts{s.blocker_samples, s.samples};
     if (counts == sample_counts_) return;
     sample_counts_ = counts;
     const auto all_of = [&](auto make) {
         std::vector<vec4> all; // with their distances from the middle, and one over those
-        for (std::size_t i = 0; i < counts.size(); ++i) {
-            for (const vec2& at : make(counts[i], i == 0 ? sample_seed : sample_seed + 1, i == 2)) {
+        for (std::uint32_t set = 0; set < shared::sample_sets; ++set) {
+            const std::uint32_t count = shared::samples_in_set(set, static_cast<std::uint32_t>(s.blocker_samples),
+                                                               static_cast<std::uint32_t>(s.samples));
+            for (const vec2& at : make(set, static_cast<int>(count))) {
                 const float rim = glm::length(at);
                 all.emplace_back(at, rim, 1 / std::max(rim, 1e-3f));
             }
         }
         return all;
     };
-    const std::vector<vec4> disc = all_of([](int count, std::uint64_t seed, bool blurred) {
-        std::vector<vec2> set = disc_samples(count, seed);
-        even_out_radii(set, blurred ? 1.0f : 0.7f);
-        return set;
+    const auto seed = [](std::uint32_t set) { return set == shared::set_search ? sample_seed : sample_seed + 1; };
+    const std::vector<vec4> disc = all_of([&](std::uint32_t set, int count) {
+        if (set == shared::set_search_narrow || set == shared::set_filter_narrow) return spiral_samples(count);
+        std::vector<vec2> even = disc_samples(count, seed(set));
+        even_out(even);
+        return even;
     });
-    std::vector<vec4> square = all_of([](int count, std::uint64_t seed, bool) { return square_samples(count, seed); });
+    std::vector<vec4> square = all_of([&](std::uint32_t set, int count) {
+        return set == shared::set_search ? square_samples(count, seed(set)) : lattice_samples(count);
+    });
     for (vec4& at : square) at = at * 0.5f + 0.5f; // 0 to 1: shifted there
     disc_samples_ = make_buffer(device_, "disc samples", disc.size() * sizeof(vec4));
     square_samples_ = make_buffer(device_, "square samples", square.size() * sizeof(vec4));

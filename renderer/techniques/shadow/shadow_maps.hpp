@@ -48,7 +48,7 @@ private:
     const gpu::Device& device_;
     std::vector<Slot> slots_;
     gpu::Buffer faces_, disc_samples_, square_samples_, reference_faces_;
-    std::array<int, 3> sample_counts_{}; ///< in the buffers
+    std::array<int, 2> sample_counts_{}; ///< as set, of those in the buffers
     std::string told_;                   ///< what was said last of maps that are smaller or fewer than asked for
 };
 

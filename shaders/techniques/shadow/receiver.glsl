@@ -17,11 +17,10 @@ layout(constant_id = 1) const uint shadow_filter = shadow_pcss;
 layout(constant_id = 2) const uint blocker_count = 16;
 layout(constant_id = 3) const uint sample_count = 32;
 layout(constant_id = 4) const uint shown = show_visibility;
-layout(constant_id = 5) const uint blurred_count = 0; // samples of a pixel that is to be blurred; 0: none is
+layout(constant_id = 5) const bool blurred = false; // what is written is going to be
 
 layout(PASS_IMAGE(6)) uniform texture2D shadow_map;
 layout(PASS_BUFFER(0), scalar) readonly buffer Faces { ShadowFace faces[]; };
-// For the search for blockers, then for the filter, then for the filter of what is to be blurred.
 layout(PASS_BUFFER(1), scalar) readonly buffer Samples { vec4 sample_table[]; };
 layout(PASS_BUFFER(2), scalar) readonly buffer Ranges { vec2 ranges[]; };
 layout(push_constant, scalar) uniform Push { VisibilityPush push; };
@@ -57,7 +56,7 @@ Surfel fetch_surfel(ivec2 pixel, float depth)
     Surfel s;
     s.p = to_light_space(perspective ? p - push.position : p);
     s.n = to_light_space(n);
-    s.spacing2 = blurred_count > 0u ? pixel_spacing2(n, ray, z) : vec2(0.0);
+    s.spacing2 = blurred ? pixel_spacing2(n, ray, z) : vec2(0.0);
     s.distance = perspective ? length(s.p) : 1.0;
     s.rise = perspective ? -dot(s.n, s.p) / s.distance : -s.n.z;
     return s;
@@ -290,7 +289,7 @@ struct Pattern {
 Pattern pixel_pattern()
 {
     float noise = interleaved_gradient_noise(gl_FragCoord.xy - 0.5);
-    if (blurred_count > 0u) noise = (float(bayer(ivec2(gl_FragCoord.xy))) + noise) / 16.0;
+    if (blurred) noise = (float(bayer(ivec2(gl_FragCoord.xy))) + noise) / 16.0;
     vec2 t = light_kind == light_rect ? vec2(1.0, 0.0) : unit_vector(noise);
     return Pattern(mat2(t, -t.y, t.x), fract(vec2(noise, noise * 2.61803399)));
 }
@@ -321,6 +320,18 @@ LightSample light_sample(uint i, Pattern pattern)
     vec2 at = fract(s.xy + pattern.shift) * 2.0 - 1.0;
     float rim = max(abs(at.x), abs(at.y));
     return LightSample(at, rim, 1.0 / max(rim, 1e-3));
+}
+
+/// A set in the table.
+struct SampleSet {
+    uint first, count;
+};
+
+SampleSet sample_set(uint set)
+{
+    uint first = 0u;
+    for (uint before = 0u; before < set; ++before) first += samples_in_set(before, blocker_count, sample_count);
+    return SampleSet(first, samples_in_set(set, blocker_count, sample_count));
 }
 
 /// Points of a rectangle differ in their distance along the face's axis, and so in where rays to them pass: a factor.

@@ -10,6 +10,7 @@ const float least_search = 2.0;        // texels: the close search reaches as ma
 const float even_height = 0.75;        // share of the mean height from which the harmonic mean tells of blockers of one kind
 const float least_height = 0.15;       // share of a kind's blockers' height from which something hides the light's rim
 const float least_width = 8.0;         // pixels: of a penumbra that is blurred
+const float tiny = 2.0;                // texels: radius of a filter that few comparisons cover
 
 #include "techniques/shadow/receiver.glsl"
 
@@ -43,11 +44,12 @@ Shadow pcf_shadow(Receiver r, Pattern pattern)
     Taps taps = taps_at(r, pattern.turn, push.radius);
     float plane = r.depth + r.bias + 0.5 * r.rise + plane_error(r, push.radius); // a comparison takes texels up to one away
     float sum = 0.0;
-    for (uint i = 0u; i < sample_count; ++i) {
-        vec2 at = light_sample(blocker_count + i, pattern).at;
+    SampleSet set = sample_set(set_filter);
+    for (uint i = 0u; i < set.count; ++i) {
+        vec2 at = light_sample(set.first + i, pattern).at;
         sum += compare(place, taps.steps * at, plane + dot(taps.rise, at));
     }
-    return Shadow(sum / float(sample_count), 1.0 / 0.0, 0.0, blur_none);
+    return Shadow(sum / float(set.count), 1.0 / 0.0, 0.0, blur_none);
 }
 
 /// What a search for blockers found.
@@ -69,7 +71,7 @@ void add_blocker(inout Blockers sums, inout float weight, float height, float ri
 }
 
 /// Searches the map over a spread of `k`, every other time only close around the receiver.
-Blockers find_blockers(Receiver r, Place place, LightOnMap light, float k, Pattern pattern)
+Blockers find_blockers(Receiver r, Place place, LightOnMap light, float k, SampleSet set, Pattern pattern)
 {
     float wide = light.radius * k, close = min(sqrt(least_search * wide) / wide, 1.0);
     Taps taps = taps_at(r, light.spans * pattern.turn, k);
@@ -77,8 +79,8 @@ Blockers find_blockers(Receiver r, Place place, LightOnMap light, float k, Patte
     float plane = r.depth + r.bias + plane_error(r, wide);
     Blockers sums = Blockers(0.0, 0.0, 0.0);
     add_blocker(sums, weight, height_at(place, vec2(0.0), plane), 0.0, least, 1.0);
-    for (uint i = 0u; i < blocker_count; ++i) {
-        LightSample s = light_sample(i, pattern);
+    for (uint i = 0u; i < set.count; ++i) {
+        LightSample s = light_sample(set.first + i, pattern);
         bool near = (i & 1u) == 1u;
         vec2 at = near ? s.at * close : s.at;
         float rise = dot(taps.rise, at), height = height_at(place, taps.steps * at, plane + rise);
@@ -91,11 +93,25 @@ Blockers find_blockers(Receiver r, Place place, LightOnMap light, float k, Patte
 /// How far visibility may be averaged in a penumbra of this width, m.
 float blur_of(Receiver r, float penumbra)
 {
-    if (blurred_count == 0u) return blur_none;
+    if (!blurred) return blur_none;
     float width2 = penumbra * penumbra;
     vec2 least = least_width * least_width * r.spacing2;
     if (width2 > max(least.x, least.y)) return blur_full;
     return width2 > least.x ? blur_row : width2 > least.y ? blur_column : blur_none;
+}
+
+/// For a search over so many texels. `blur`: what the widest penumbra that it can find would allow.
+SampleSet search_set(float radius, float blur)
+{
+    if (!blurred || blur == blur_full || radius < 2.0 * tiny) return sample_set(set_search);
+    return sample_set(set_search_narrow);
+}
+
+SampleSet filter_set(float radius, float blur)
+{
+    if (radius < tiny) return sample_set(set_filter_tiny);
+    if (!blurred) return sample_set(set_filter);
+    return blur == blur_full ? sample_set(set_filter_wide) : sample_set(set_filter_narrow);
 }
 
 /// Blockers within what the light spans are sought, the penumbra follows from their mean height, and a filter of its size
@@ -121,26 +137,29 @@ Shadow pcss_shadow(Receiver r, Pattern pattern)
     k = min((range.x - r.depth) * spread_per_height, k);
     if (k <= 0.0) return lit;
 
-    Blockers found = find_blockers(r, place, light, k, pattern);
-    if (found.count == 0.0) return lit;
+    float widest_blur = blur_of(r, penumbra_width(r, k));
+    Blockers found = find_blockers(r, place, light, k, search_set(light.radius * k, widest_blur), pattern);
+    if (found.count == 0.0) { // at a wide penumbra's bright rim the search often misses; neighbours share the comparisons
+        if (widest_blur != blur_full) return lit;
+        found = Blockers(range.x - r.depth, range.x - r.depth, 0.0);
+    }
     float high_k = clamp(found.height * spread_per_height, 1.0 / light.radius, widest);
     float penumbra = penumbra_width(r, high_k), blur = blur_of(r, penumbra);
-    uint first = blur == blur_full ? blocker_count + sample_count : blocker_count;
-    uint count = blur == blur_full ? blurred_count : sample_count;
+    SampleSet set = found.count > 0.0 ? filter_set(light.radius * high_k, blur) : sample_set(set_filter_tiny);
     Taps taps = taps_at(r, light.spans * pattern.turn, high_k);
     float plane = r.depth + r.bias + plane_error(r, light.radius * high_k), seen = 0.0;
     if (found.low_height > even_height * found.height) {
         float least = least_height * found.height;
-        for (uint i = 0u; i < count; ++i) {
-            LightSample s = light_sample(first + i, pattern);
+        for (uint i = 0u; i < set.count; ++i) {
+            LightSample s = light_sample(set.first + i, pattern);
             vec2 at = s.at * parallax(r, s);
             seen += compare(place, taps.steps * at, plane + 0.5 * r.rise + dot(taps.rise, at) + least * s.rim);
         }
     } else {
         float border = sqrt(found.low_height * found.height), least = least_height * found.low_height;
         float low = clamp(found.low_height * spread_per_height, 0.5 / light.radius, high_k) / high_k;
-        for (uint i = 0u; i < count; ++i) {
-            LightSample s = light_sample(first + i, pattern);
+        for (uint i = 0u; i < set.count; ++i) {
+            LightSample s = light_sample(set.first + i, pattern);
             vec2 at = s.at * parallax(r, s), to = taps.steps * at;
             float rise = dot(taps.rise, at);
             float height = height_at(place, to * low, plane + rise * low);
@@ -148,7 +167,7 @@ Shadow pcss_shadow(Receiver r, Pattern pattern)
             seen += low_blocks ? 0.0 : compare(place, to, plane + rise + border);
         }
     }
-    return Shadow(seen / float(count), linear_z(r.depth + found.height), penumbra, blur);
+    return Shadow(seen / float(set.count), linear_z(r.depth + found.height), penumbra, blur);
 }
 
 Shadow filtered(Receiver r, Pattern pattern)
@@ -194,7 +213,7 @@ float value_at(ivec2 pixel)
         float above = s.rise * s.distance / max(extent_across(s), 1e-6);
         shadow.visibility = mix(1.0, shadow.visibility, clamp(above, 0.0, 1.0));
     }
-    if (shown == show_visibility) return shadow.visibility * share + (blurred_count > 0u ? 2.0 * shadow.blur : 0.0);
+    if (shown == show_visibility) return shadow.visibility * share + (blurred ? 2.0 * shadow.blur : 0.0);
     return shown == show_blocker ? shadow.blocker : shadow.penumbra;
 }
 
