@@ -186,8 +186,9 @@ uvec2 Engine::window_size(uvec2 wanted, gpu::PresentMode mode)
     return s.swapchain->size();
 }
 
-bool Engine::show(const UiDraws& ui)
+ShowResult Engine::show(const UiDraws& ui)
 {
+    ShowResult result;
     State& s = *state_;
     const std::optional<gpu::Swapchain::Target> target = s.swapchain->acquire();
     if (target) {
@@ -195,10 +196,11 @@ bool Engine::show(const UiDraws& ui)
         const graph::Tex window = g.import("window", *target->image);
         s.ui.add(g, window, ui);
         g.keep(window, gpu::Access::present);
-        static_cast<void>(s.runner.run(g, gpu::TimerMode::overlapped, target->sync));
+        result.ms = s.runner.run(g, gpu::TimerMode::overlapped, target->sync).wall_ms;
     }
     s.swapchain_stale = !target || !s.swapchain->present();
-    return !s.swapchain_stale;
+    result.done = !s.swapchain_stale;
+    return result;
 }
 
 void Engine::unload()

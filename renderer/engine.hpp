@@ -61,6 +61,11 @@ struct FrameResult {
     std::uint32_t material_changes = 0; ///< between neighbouring visible draws
 };
 
+struct ShowResult {
+    bool done = false; ///< else the window has changed in between; the next window_size() tells how
+    double ms = 0;     ///< recording and drawing: neither the picture itself nor waiting for the display
+};
+
 class Engine {
 public:
     explicit Engine(const EngineOptions& options);
@@ -79,9 +84,8 @@ public:
     /// Makes ready for a window of so many pixels. Returns the size that it has, for which an interface is to be drawn;
     /// (0, 0): it is minimised, and show() must wait.
     [[nodiscard]] uvec2 window_size(uvec2 wanted, gpu::PresentMode mode);
-    /// Shows the picture kept last under a user interface. False where the window has changed in between; the next
-    /// window_size() tells how.
-    bool show(const UiDraws& ui);
+    /// Shows the picture kept last under a user interface.
+    ShowResult show(const UiDraws& ui);
 
     [[nodiscard]] const gpu::Device& device() const;
     [[nodiscard]] const GpuScene& scene() const;

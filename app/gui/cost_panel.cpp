@@ -3,6 +3,7 @@
 #include "app/gui/panels.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <imgui/imgui.h>
@@ -30,35 +31,86 @@ std::string grouped(std::uint64_t number)
     return out;
 }
 
-void draw_history(const FrameFacts& facts, float scale)
+/// A hue of its own for each pass, neighbours far apart.
+ImU32 color_of(std::size_t pass)
 {
-    if (facts.history.empty()) return;
-    const float most = *std::max_element(facts.history.begin(), facts.history.end());
-    const int count = static_cast<int>(facts.history.size());
-    ImGui::SetNextItemWidth(-1);
-    ImGui::PlotLines("##history", facts.history.data(), count, std::clamp(facts.history_next, 0, count - 1),
-                     fmt::format("{} frames, up to {:.1f} ms", count, most).c_str(), 0.0f, 1.2f * most,
-                     {0, 56.0f * scale});
+    constexpr float golden_ratio = 0.618034f;
+    const float hue = static_cast<float>(pass) * golden_ratio;
+    return ImColor::HSV(hue - std::floor(hue), 0.55f, 0.8f);
 }
 
-void draw_passes(const FrameFacts& facts)
+/// What the passes of one frame took, above each other.
+void draw_stack(const FrameFacts& facts, const FrameCost& frame, ImVec2 foot, float width, float per_ms)
+{
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    float top = foot.y;
+    const auto box = [&](double ms, ImU32 color) {
+        const float bottom = top;
+        top -= per_ms * static_cast<float>(ms);
+        draw.AddRectFilled({foot.x, top}, {foot.x + width, bottom}, color);
+    };
+    for (const PassCost& pass : frame.passes) box(pass.ms, color_of(facts.costs.index_of(pass.name)));
+}
+
+void draw_frame_tip(const FrameCost& frame)
+{
+    ImGui::BeginTooltip();
+    text(fmt::format("{:.2f} ms, {:.2f} ms of it on the processor", frame.frame_ms, frame.cpu_ms));
+    std::vector<PassCost> passes = frame.passes;
+    std::sort(passes.begin(), passes.end(), [](const PassCost& a, const PassCost& b) { return a.ms > b.ms; });
+    passes.resize(std::min<std::size_t>(passes.size(), 6));
+    for (const PassCost& pass : passes) text(fmt::format("{:8.2f} ms  {}", pass.ms, pass.name));
+    ImGui::EndTooltip();
+}
+
+void draw_history(const FrameFacts& facts, float scale)
+{
+    const std::deque<FrameCost>& frames = facts.costs.frames();
+    if (frames.empty()) return;
+    double most = 1e-6;
+    for (const FrameCost& frame : frames) {
+        double passes = 0;
+        for (const PassCost& pass : frame.passes) passes += pass.ms;
+        most = std::max(most, passes);
+    }
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    const ImVec2 size{ImGui::GetContentRegionAvail().x, 72.0f * scale};
+    ImGui::InvisibleButton("##history", {std::max(size.x, 1.0f), size.y});
+    const bool pointed = ImGui::IsItemHovered();
+    const ImVec2 to{from.x + size.x, from.y + size.y};
+    ImGui::GetWindowDrawList()->AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg));
+
+    const float width = size.x / static_cast<float>(CostHistory::longest); // the newest stands at the right
+    float x = to.x - width * static_cast<float>(frames.size());
+    for (const FrameCost& frame : frames) {
+        draw_stack(facts, frame, {x, to.y}, width, 0.95f * size.y / static_cast<float>(most));
+        const float mouse = ImGui::GetIO().MousePos.x;
+        if (pointed && mouse >= x && mouse < x + width) draw_frame_tip(frame);
+        x += width;
+    }
+    ImGui::TextDisabled("%s", fmt::format("{} frames, passes up to {:.1f} ms", frames.size(), most).c_str());
+}
+
+void draw_passes(const FrameFacts& facts, const FrameCost& last)
 {
     double most = 1e-6;
-    for (const PassFacts& pass : facts.passes) most = std::max(most, pass.ms);
+    for (const PassCost& pass : last.passes) most = std::max(most, pass.ms);
     if (!ImGui::BeginTable("passes", 3, ImGuiTableFlags_RowBg)) return;
     const float digit = ImGui::CalcTextSize("0").x;
     ImGui::TableSetupColumn("pass", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableSetupColumn("ms", ImGuiTableColumnFlags_WidthFixed, 11 * digit);
     ImGui::TableSetupColumn("draws", ImGuiTableColumnFlags_WidthFixed, 6 * digit);
     ImGui::TableHeadersRow();
-    for (const PassFacts& pass : facts.passes) {
+    for (const PassCost& pass : last.passes) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         wrapped(pass.name);
         ImGui::TableNextColumn();
         ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, 0}); // else the next cell's text stands lower
+        ImGui::PushStyleColor(ImGuiCol_PlotHistogram, color_of(facts.costs.index_of(pass.name)));
         ImGui::ProgressBar(static_cast<float>(pass.ms / most), {-1, ImGui::GetTextLineHeight()},
                            fmt::format("{:.2f}", pass.ms).c_str());
+        ImGui::PopStyleColor();
         ImGui::PopStyleVar();
         ImGui::TableNextColumn();
         if (pass.draws > 0) text(fmt::format("{}", pass.draws));
@@ -66,18 +118,36 @@ void draw_passes(const FrameFacts& facts)
     ImGui::EndTable();
 }
 
+void draw_memory(const FrameFacts& facts)
+{
+    const auto mib = [](std::uint64_t bytes) { return static_cast<double>(bytes) / (1024.0 * 1024.0); };
+    for (const HeapFacts& heap : facts.heaps) {
+        wrapped(fmt::format("Memory {}  {:.1f} of {:.0f} MiB", heap.on_device ? "on the device" : "of the host",
+                            mib(heap.used), mib(heap.budget)));
+    }
+}
+
 } // namespace
 
-void draw_cost_tab(const FrameFacts& facts, float scale)
+void draw_cost_tab(const FrameFacts& facts, PanelState& state)
 {
-    text(fmt::format("Frame  {:.2f} ms", facts.frame_ms));
-    draw_history(facts, scale);
-    text(fmt::format("Memory  {:.1f} MiB", static_cast<double>(facts.memory_bytes) / (1024.0 * 1024.0)));
-    text(fmt::format("Triangles  {}", grouped(facts.triangles)));
-    if (facts.passes.empty())
-        ImGui::TextDisabled("No pass has been timed yet.");
-    else
-        draw_passes(facts);
+    draw_memory(facts);
+    if (facts.costs.frames().empty()) {
+        ImGui::TextDisabled("No frame has been timed yet.");
+        return;
+    }
+    const FrameCost& last = facts.costs.frames().back();
+    std::uint32_t draws = 0;
+    for (const PassCost& pass : last.passes) draws += pass.draws;
+    wrapped(fmt::format("Frame  {:.2f} ms, {:.2f} ms of it on the processor", last.frame_ms, last.cpu_ms));
+    wrapped(fmt::format("Interface  {:.2f} ms", facts.interface_ms));
+    wrapped(fmt::format("Draws  {}, triangles  {}", grouped(draws), grouped(facts.triangles)));
+    draw_history(facts, state.scale);
+    if (ImGui::Button("save as JSON")) state.save_costs = CostFile::json;
+    ImGui::SameLine();
+    if (ImGui::Button("save as trace")) state.save_costs = CostFile::trace;
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("For ui.perfetto.dev or chrome://tracing");
+    draw_passes(facts, last);
 }
 
 } // namespace atrium::gui

@@ -39,7 +39,8 @@ bool flowing_button(const char* label, bool first)
 void draw_head(ViewModel& model, const FrameFacts& facts, PanelState& state)
 {
     if (!model.scene_name.empty()) wrapped(model.scene_name);
-    const std::string rate = facts.frame_ms > 0.0 ? fmt::format(", {:.1f} ms", facts.frame_ms) : "";
+    const std::deque<FrameCost>& frames = facts.costs.frames();
+    const std::string rate = frames.empty() ? "" : fmt::format(", {:.1f} ms", frames.back().frame_ms);
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
     if (!facts.device.empty()) wrapped(facts.device);
     wrapped(fmt::format("{} x {}{}", facts.size.x, facts.size.y, rate));
@@ -153,7 +154,7 @@ void draw_tabs(ViewModel& model, const FrameFacts& facts, PanelState& state)
     tab(Tab::settings, "Settings", [&] { draw_setting_tab(model, state, facts.is_cpu); });
     tab(Tab::lights, "Lights", [&] { draw_light_tab(model, state, facts.is_cpu); });
     tab(Tab::camera, "Camera", [&] { draw_camera_tab(model, state, facts.is_cpu); });
-    tab(Tab::costs, "Costs", [&] { draw_cost_tab(facts, state.scale); });
+    tab(Tab::costs, "Costs", [&] { draw_cost_tab(facts, state); });
     tab(Tab::help, "Help", [&] { draw_help_tab(state); });
     ImGui::EndTabBar();
 }

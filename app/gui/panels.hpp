@@ -1,6 +1,7 @@
 #pragma once
 // The panel on the left of the window: settings, lights, camera, costs, help.
 
+#include "app/gui/cost_history.hpp"
 #include "app/gui/setting_widgets.hpp"
 #include "app/gui/view_model.hpp"
 
@@ -12,28 +13,30 @@
 
 namespace atrium::gui {
 
-struct PassFacts {
-    std::string name;
-    double ms = 0;
-    std::uint32_t draws = 0;
+/// A heap of device memory, in bytes.
+struct HeapFacts {
+    bool on_device = false;
+    std::uint64_t used = 0, budget = 0;
 };
 
-/// What the last frame was.
+/// What the last frame was, and what those before took.
 struct FrameFacts {
     std::string device;
     bool is_cpu = false; ///< settings then have a CPU device's defaults
     uvec2 size{0};
-    double frame_ms = 0;
-    std::vector<PassFacts> passes; ///< in the order in which they ran
-    std::uint64_t memory_bytes = 0, triangles = 0;
-    std::vector<float> history; ///< ms of the last frames, a ring
-    int history_next = 0;       ///< where in it the next will be written: the oldest
+    std::uint64_t triangles = 0;
+    double interface_ms = 0; ///< what this panel and the rest around the picture take
+    std::vector<HeapFacts> heaps;
+    CostHistory costs;
 };
 
 /// One line of the help.
 struct KeyHelp {
     std::string keys, act;
 };
+
+/// A file of costs that is wished for: cost_history.hpp.
+enum class CostFile { json, trace };
 
 enum class Tab { settings, lights, camera, costs, help };
 
@@ -44,6 +47,7 @@ struct PanelState {
     std::string message;                       ///< shown on top until it is put away: what was refused, and why
     std::optional<Tab> show;                   ///< turn to this tab in the next frame
     std::string filter;                        ///< of the settings
+    std::optional<CostFile> save_costs;        ///< wished for in this frame
     bool dragging = false;                     ///< something beside the panels is in the middle of an edit
     Headings headings = Headings::as_they_are; ///< of the settings, in the next frame that shows them
 };
@@ -54,7 +58,7 @@ void draw_panels(ViewModel& model, const FrameFacts& facts, PanelState& state);
 
 /// One tab, for draw_panels().
 void draw_light_tab(ViewModel& model, PanelState& state, bool is_cpu);
-void draw_cost_tab(const FrameFacts& facts, float scale);
+void draw_cost_tab(const FrameFacts& facts, PanelState& state);
 
 /// "--eye X,Y,Z --target X,Y,Z --fov F", from which the command line makes the same camera.
 [[nodiscard]] std::string camera_options(const Camera& camera);

@@ -1,6 +1,7 @@
 #include "app/view/viewer.hpp"
 
 #include "app/config.hpp"
+#include "app/json_output.hpp"
 #include "app/view/actions.hpp"
 #include "renderer/core/error.hpp"
 
@@ -13,6 +14,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 namespace atrium::app {
 namespace {
@@ -26,6 +28,20 @@ constexpr double idle_wait = 0.5;     ///< s, between looks at what has no event
 double seconds_since(Clock::time_point start)
 {
     return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Building, recording, and waiting for the device.
+double whole_ms(const FrameResult& frame)
+{
+    return frame.record_ms + frame.stats.wall_ms - frame.stats.cpu_ms;
+}
+
+/// In the present folder, numbered.
+std::filesystem::path unused_name(const char* ending)
+{
+    std::filesystem::path file;
+    for (int i = 0; file.empty() || std::filesystem::exists(file); ++i) file = fmt::format("atrium.{:04}{}", i, ending);
+    return file;
 }
 
 } // namespace
@@ -74,8 +90,11 @@ void Viewer::run()
         moving = fly(passed);
         draw_interface(pixels);
         const UiDraws interface = gui_.end();
+        facts_.interface_ms = 1000 * seconds_since(last);
         draw_scene(pixels, moving || ImGui::IsAnyItemActive());
-        if (!engine_.show(interface)) unsettled = settle_frames;
+        const ShowResult shown = engine_.show(interface);
+        facts_.interface_ms += shown.ms;
+        if (!shown.done) unsettled = settle_frames;
         if (!seen) window_.show(); // with the first picture in it
         seen = true;
         unsettled = std::max(unsettled - 1, 0);
@@ -162,9 +181,12 @@ void Viewer::handle_keys(uvec2 pixels)
 void Viewer::draw_interface(uvec2 pixels)
 {
     facts_.size = pixels;
-    facts_.memory_bytes = engine_.device().memory_in_use();
+    facts_.heaps.clear();
+    for (const gpu::HeapUse& heap : engine_.device().memory_by_heap())
+        facts_.heaps.push_back({heap.device_local, heap.bytes, heap.budget});
     panels_.scale = gui_.scale();
     if (show_gui_) gui::draw_panels(model_, facts_, panels_);
+    if (const auto file = std::exchange(panels_.save_costs, std::nullopt)) write_costs(*file);
 }
 
 FrameRequest Viewer::wanted_frame(uvec2 size) const
@@ -189,11 +211,23 @@ void Viewer::write_screenshot(uvec2 pixels)
     FrameRequest wanted = wanted_frame(pixels);
     wanted.want_picture = true;
     wanted.keep_picture = wanted.remember = false;
-    std::filesystem::path file;
-    for (int i = 0; file.empty() || std::filesystem::exists(file); ++i) file = fmt::format("atrium.{:04}.png", i);
+    const std::filesystem::path file = unused_name(".png");
     try {
         write_png(file, engine_.render(wanted).picture, describe_frame(wanted, 0));
         panels_.message = fmt::format("{} written; --config {} draws it again", file.string(), file.string());
+    } catch (const Error& error) {
+        panels_.message = error.text();
+    }
+}
+
+void Viewer::write_costs(gui::CostFile kind)
+{
+    const bool trace = kind == gui::CostFile::trace;
+    const std::filesystem::path file = unused_name(trace ? ".trace.json" : ".costs.json");
+    try {
+        write_json_text(file.string(),
+                        trace ? facts_.costs.to_trace(facts_.device) : facts_.costs.to_json(facts_.device));
+        panels_.message = fmt::format("{} written{}", file.string(), trace ? "; ui.perfetto.dev opens it" : "");
     } catch (const Error& error) {
         panels_.message = error.text();
     }
@@ -227,20 +261,21 @@ void Viewer::draw_scene(uvec2 pixels, bool moving)
         drawn_share_ = 1;
         return;
     }
-    moving_scale_.measured(share, frame.record_ms + frame.stats.wall_ms);
+    moving_scale_.measured(share, whole_ms(frame));
     tell(frame);
 }
 
 void Viewer::tell(const FrameResult& frame)
 {
-    constexpr std::size_t remembered = 120;
-    facts_.frame_ms = frame.record_ms + frame.stats.wall_ms;
     if (request_.want_statistics) facts_.triangles = frame.triangles;
-    facts_.passes.clear();
-    for (const graph::PassStats& p : frame.stats.passes) facts_.passes.push_back({p.name, p.gpu_ms, p.draws});
-    facts_.history.resize(remembered);
-    facts_.history[static_cast<std::size_t>(facts_.history_next)] = static_cast<float>(facts_.frame_ms);
-    facts_.history_next = (facts_.history_next + 1) % static_cast<int>(remembered);
+    gui::FrameCost cost;
+    cost.frame_ms = whole_ms(frame);
+    cost.at_ms = 1000 * seconds_since(started_) - cost.frame_ms;
+    cost.cpu_ms = frame.record_ms;
+    for (const graph::PassStats& p : frame.stats.passes)
+        cost.passes.push_back({p.name, p.gpu_ms, p.draws, p.gpu_start_ms});
+    for (const gui::HeapFacts& heap : facts_.heaps) cost.memory_bytes += heap.used;
+    facts_.costs.add(std::move(cost));
 }
 
 } // namespace atrium::app

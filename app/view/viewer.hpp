@@ -6,6 +6,7 @@
 #include "app/gui/view_model.hpp"
 #include "app/view/gui.hpp"
 
+#include <chrono>
 #include <optional>
 #include <string>
 
@@ -39,6 +40,7 @@ private:
     void draw_interface(uvec2 pixels);
     /// What the model says, drawn as `render` draws it, into the present folder, with its description.
     void write_screenshot(uvec2 pixels);
+    void write_costs(gui::CostFile kind);
     /// A request for what is to be shown now, at that size.
     [[nodiscard]] FrameRequest wanted_frame(uvec2 size) const;
     /// Draws the scene if what it shows is not what is wanted.
@@ -60,6 +62,7 @@ private:
     float drawn_share_ = 0; ///< of the window's pixels along each side
     uvec2 drawn_pixels_{0};
     std::optional<vec2> drag_from_;
+    std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 };
 
 } // namespace atrium::app

@@ -180,14 +180,25 @@ void Device::run(const std::function<void(VkCommandBuffer)>& record) const
     wait();
 }
 
-std::uint64_t Device::memory_in_use() const
+std::vector<HeapUse> Device::memory_by_heap() const
 {
     std::array<VmaBudget, VK_MAX_MEMORY_HEAPS> budgets{};
     vmaGetHeapBudgets(allocator_, budgets.data());
     VkPhysicalDeviceMemoryProperties properties{};
     vkGetPhysicalDeviceMemoryProperties(report_.handle, &properties);
+    std::vector<HeapUse> heaps;
+    for (std::uint32_t i = 0; i < properties.memoryHeapCount; ++i) {
+        const VkMemoryHeap& heap = properties.memoryHeaps[i];
+        heaps.push_back({(heap.flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT) != 0, budgets[i].statistics.allocationBytes,
+                         budgets[i].budget});
+    }
+    return heaps;
+}
+
+std::uint64_t Device::memory_in_use() const
+{
     std::uint64_t bytes = 0;
-    for (std::uint32_t i = 0; i < properties.memoryHeapCount; ++i) bytes += budgets[i].statistics.allocationBytes;
+    for (const HeapUse& heap : memory_by_heap()) bytes += heap.bytes;
     return bytes;
 }
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <string_view>
+#include <vector>
 
 struct VmaAllocator_T;
 using VmaAllocator = VmaAllocator_T*;
@@ -17,6 +18,12 @@ namespace atrium::gpu {
 /// Semaphores around a submission: what it waits for and what it signals. Null: none.
 struct SubmitSync {
     VkSemaphore wait = VK_NULL_HANDLE, signal = VK_NULL_HANDLE;
+};
+
+struct HeapUse {
+    bool device_local = false;
+    std::uint64_t bytes = 0;  ///< allocated by this process
+    std::uint64_t budget = 0; ///< what the driver would let it have
 };
 
 class Device {
@@ -48,7 +55,9 @@ public:
     void submit(const std::function<void(VkCommandBuffer)>& record, const SubmitSync& sync = {}) const;
     void wait() const;
 
-    /// Bytes of device memory in use by this process, all heaps.
+    /// Bytes of device memory that this process has allocated, by heap.
+    [[nodiscard]] std::vector<HeapUse> memory_by_heap() const;
+    /// Of all heaps.
     [[nodiscard]] std::uint64_t memory_in_use() const;
 
 private:

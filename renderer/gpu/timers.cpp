@@ -72,9 +72,12 @@ std::vector<PassTime> Timers::read() const
     check(vkGetQueryPoolResults(device_.handle(), pool_, 0, used_, ticks.size() * sizeof(ticks[0]), ticks.data(),
                                 sizeof(ticks[0]), VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
           "read the timers");
+    const auto ms_between = [&](std::uint64_t from, std::uint64_t to) {
+        return static_cast<double>(to - from) * device_.timestamp_period() * 1e-6;
+    };
     for (std::size_t i = 0; i < names_.size(); ++i) {
-        const auto elapsed = static_cast<double>(ticks[2 * i + 1] - ticks[2 * i]);
-        times.push_back({names_[i], elapsed * device_.timestamp_period() * 1e-6});
+        const std::uint64_t start = ticks[2 * i], end = ticks[2 * i + 1];
+        times.push_back({names_[i], ms_between(start, end), ms_between(ticks[0], start)});
     }
     return times;
 }

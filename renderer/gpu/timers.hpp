@@ -16,6 +16,7 @@ enum class TimerMode {
 struct PassTime {
     std::string name;
     double ms = 0;
+    double start_ms = 0; ///< from the first's start
 };
 
 class Timers {

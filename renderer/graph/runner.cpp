@@ -86,7 +86,10 @@ RunStats Runner::run(Graph& graph, gpu::TimerMode mode, const gpu::SubmitSync& s
     graph_ = nullptr;
 
     const std::vector<gpu::PassTime> times = timers_.read();
-    for (std::size_t i = 0; i < times.size(); ++i) stats.passes[i].gpu_ms = times[i].ms;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        stats.passes[i].gpu_ms = times[i].ms;
+        stats.passes[i].gpu_start_ms = times[i].start_ms;
+    }
     return stats;
 }
 

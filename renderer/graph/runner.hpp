@@ -13,6 +13,7 @@ struct PassStats {
     std::string name;
     std::uint32_t draws = 0, pipeline_binds = 0; ///< recorded commands; a multi-draw is one
     double gpu_ms = 0;
+    double gpu_start_ms = 0; ///< from the first pass's start
 };
 struct RunStats {
     std::vector<PassStats> passes;

@@ -22,13 +22,13 @@ FrameFacts busy_frame()
     FrameFacts facts;
     facts.device = "A device with quite a long name (version 21.1.8, 256 bits) of some driver";
     facts.size = {1920, 1080};
-    facts.frame_ms = 123.4;
+    FrameCost cost;
+    cost.frame_ms = 123.4;
     for (int i = 0; i < 40; ++i)
-        facts.passes.push_back({"visibility.a_light_of_a_long_name_" + std::to_string(i), 0.1 * i, 123456});
-    facts.memory_bytes = 3'000'000'000;
+        cost.passes.push_back({"visibility.a_light_of_a_long_name_" + std::to_string(i), 0.1 * i, 123456, 2.0 * i});
+    for (std::size_t i = 0; i < CostHistory::longest; ++i) facts.costs.add(cost);
+    facts.heaps = {{true, 3'000'000'000, 9'000'000'000}, {false, 12, 9'000'000'000}};
     facts.triangles = 12'345'678;
-    facts.history.assign(120, 16.7f);
-    facts.history_next = 30;
     return facts;
 }
 

@@ -1,0 +1,50 @@
+#pragma once
+// What the last frames took, and as text for other programs. No ImGui.
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <vector>
+
+namespace atrium::gui {
+
+struct PassCost {
+    std::string name;
+    double ms = 0;
+    std::uint32_t draws = 0;
+    double start_ms = 0; ///< on the device, from the first pass's start
+};
+
+struct FrameCost {
+    double at_ms = 0;             ///< when it began, from the history's start
+    double cpu_ms = 0;            ///< until everything was recorded
+    double frame_ms = 0;          ///< until the device was done
+    std::vector<PassCost> passes; ///< in the order in which they ran
+    std::uint64_t memory_bytes = 0;
+};
+
+class CostHistory {
+public:
+    static constexpr std::size_t longest = 240; ///< frames: then the oldest goes
+
+    void add(FrameCost frame);
+    [[nodiscard]] const std::deque<FrameCost>& frames() const { return frames_; }
+    /// Names of all passes so far. A pass's index stays, so that it can have a colour of its own.
+    [[nodiscard]] const std::vector<std::string>& pass_names() const { return names_; }
+    [[nodiscard]] std::size_t index_of(const std::string& pass) const; ///< pass_names().size(): unknown
+
+    /// {"device", "frames": [{"at_ms", "frame_ms", "cpu_ms", "memory_bytes", "passes": [{"name", "gpu_ms",
+    /// "gpu_start_ms", "draws"}]}]}
+    [[nodiscard]] std::string to_json(const std::string& device) const;
+    /// Chrome's Trace Event Format, which ui.perfetto.dev and chrome://tracing open: complete events in microseconds on
+    /// a thread for the processor and one for the device, and memory as a counter. A pass begins where its frame's
+    /// recording ended, and as much later as the device says.
+    [[nodiscard]] std::string to_trace(const std::string& device) const;
+
+private:
+    std::deque<FrameCost> frames_;
+    std::vector<std::string> names_;
+};
+
+} // namespace atrium::gui
