@@ -87,11 +87,12 @@ void Viewer::run()
 
         gui_.begin(pixels);
         handle_keys(pixels);
-        moving = fly(passed);
+        const bool on_handle = show_gui_ && handles_.update(model_, gui_.scale());
+        moving = fly(passed, on_handle);
         draw_interface(pixels);
         const UiDraws interface = gui_.end();
         facts_.interface_ms = 1000 * seconds_since(last);
-        draw_scene(pixels, moving || ImGui::IsAnyItemActive());
+        draw_scene(pixels, moving || ImGui::IsAnyItemActive() || handles_.holds());
         const ShowResult shown = engine_.show(interface);
         facts_.interface_ms += shown.ms;
         if (!shown.done) unsettled = settle_frames;
@@ -101,7 +102,7 @@ void Viewer::run()
     }
 }
 
-bool Viewer::fly(double seconds)
+bool Viewer::fly(double seconds, bool on_handle)
 {
     const ImGuiIO& io = ImGui::GetIO();
     gui::FlyInput input;
@@ -114,7 +115,7 @@ bool Viewer::fly(double seconds)
         input.turn = rate * vec2(axis(GLFW_KEY_RIGHT, GLFW_KEY_LEFT), axis(GLFW_KEY_UP, GLFW_KEY_DOWN));
         input.fast = io.KeyShift;
     }
-    const bool drag = !io.WantCaptureMouse &&
+    const bool drag = !io.WantCaptureMouse && !on_handle &&
                       (ImGui::IsMouseDown(ImGuiMouseButton_Right) || ImGui::IsMouseDown(ImGuiMouseButton_Left));
     const vec2 mouse(io.MousePos.x, io.MousePos.y);
     if (drag && drag_from_ && io.KeyCtrl) {
@@ -125,7 +126,7 @@ bool Viewer::fly(double seconds)
         input.turn += per_pixel * vec2(mouse.x - drag_from_->x, drag_from_->y - mouse.y);
     }
     drag_from_ = drag ? std::optional(mouse) : std::nullopt;
-    panels_.dragging = drag && io.KeyCtrl;
+    panels_.dragging = (drag && io.KeyCtrl) || handles_.holds();
     if (!io.WantCaptureMouse) input.wheel = io.MouseWheel;
     return flight_.advance(model_.camera, input, seconds);
 }
@@ -135,12 +136,9 @@ void Viewer::drag_light(vec2 pixels, bool along)
     if (!model_.selected) return;
     Light light = model_.lights[*model_.selected];
     if (light.type == LightType::sun) return; // which stands nowhere
-    const mat4 view = view_from_world(model_.camera);
-    const auto axis = [&](int row) { return vec3(view[0][row], view[1][row], view[2][row]); };
-    const float distance = std::max(-glm::dot(axis(2), light.position - model_.camera.eye), 0.1f);
-    const float per_pixel =
-        2 * distance * std::tan(glm::radians(0.5f * model_.camera.fov)) / ImGui::GetIO().DisplaySize.y;
-    light.position += per_pixel * (along ? axis(2) * pixels.y : axis(0) * pixels.x - axis(1) * pixels.y);
+    const gui::Projection view(model_.camera, vec2(ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y));
+    light.position +=
+        along ? -view.pixel_size(light.position) * pixels.y * view.forward : view.in_view_plane(light.position, pixels);
     if (const auto refused = model_.set_light(*model_.selected, light)) panels_.message = *refused;
 }
 

@@ -2,6 +2,7 @@
 // The window's loop: events, flying, the interface, and the frames that are drawn when something changed.
 
 #include "app/gui/fly_camera.hpp"
+#include "app/gui/light_handles.hpp"
 #include "app/gui/panels.hpp"
 #include "app/gui/view_model.hpp"
 #include "app/view/gui.hpp"
@@ -33,7 +34,8 @@ public:
     [[nodiscard]] const Camera& camera() const { return model_.camera; }
 
 private:
-    [[nodiscard]] bool fly(double seconds);
+    /// `on_handle`: the mouse is busy with a light.
+    [[nodiscard]] bool fly(double seconds, bool on_handle);
     /// The selected light follows the mouse: in the view's plane, or (`along`) nearer and farther.
     void drag_light(vec2 pixels, bool along);
     void handle_keys(uvec2 pixels);
@@ -55,6 +57,7 @@ private:
     gui::PanelState panels_;
     gui::FrameFacts facts_;
     gui::FlyCamera flight_;
+    gui::LightHandles handles_;
     FrameRequest request_;
     MovingScale moving_scale_;
     bool continuous_, show_gui_ = true;
