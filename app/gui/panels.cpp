@@ -70,6 +70,25 @@ void apply_preset(ViewModel& model, PanelState& state, const std::string& name)
     }
 }
 
+void draw_settings_file(ViewModel& model, PanelState& state)
+{
+    if (flowing_button("save", true)) {
+        try {
+            model.save_settings(state.settings_file);
+            state.message =
+                fmt::format("{} written; --config {} draws with it", state.settings_file, state.settings_file);
+        } catch (const Error& e) {
+            state.message = e.text();
+        }
+    }
+    tooltip("What differs from the defaults, as TOML for --config");
+    if (flowing_button("load", false)) state.message = model.load_settings(state.settings_file).value_or("");
+    tooltip("What the file says, and the defaults where it says nothing");
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-1);
+    ImGui::InputTextWithHint("##file", "file of settings", &state.settings_file);
+}
+
 void draw_setting_tab(ViewModel& model, PanelState& state, bool is_cpu)
 {
     ImGui::SetNextItemWidth(-1);
@@ -83,6 +102,7 @@ void draw_setting_tab(ViewModel& model, PanelState& state, bool is_cpu)
     }
     if (flowing_button("copy", false)) ImGui::SetClipboardText(model.settings_toml().c_str());
     tooltip("What differs from the defaults, as TOML for --config");
+    draw_settings_file(model, state);
 
     if (flowing_button("open all", true)) state.headings = Headings::open;
     if (flowing_button("close all", false)) state.headings = Headings::close;

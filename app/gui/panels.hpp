@@ -42,14 +42,15 @@ enum class Tab { settings, lights, camera, costs, help };
 
 /// What the panel remembers between frames.
 struct PanelState {
-    float scale = 1;                           ///< of everything, as apply_style() was given
-    std::vector<KeyHelp> keys;                 ///< the help
-    std::string message;                       ///< shown on top until it is put away: what was refused, and why
-    std::optional<Tab> show;                   ///< turn to this tab in the next frame
-    std::string filter;                        ///< of the settings
-    std::optional<CostFile> save_costs;        ///< wished for in this frame
-    bool dragging = false;                     ///< something beside the panels is in the middle of an edit
-    Headings headings = Headings::as_they_are; ///< of the settings, in the next frame that shows them
+    float scale = 1;                             ///< of everything, as apply_style() was given
+    std::vector<KeyHelp> keys;                   ///< the help
+    std::string message;                         ///< shown on top until it is put away: what was refused, and why
+    std::optional<Tab> show;                     ///< turn to this tab in the next frame
+    std::string filter;                          ///< of the settings
+    std::string settings_file = "settings.toml"; ///< to save into and load from
+    std::optional<CostFile> save_costs;          ///< wished for in this frame
+    bool dragging = false;                       ///< something beside the panels is in the middle of an edit
+    Headings headings = Headings::as_they_are;   ///< of the settings, in the next frame that shows them
 };
 
 /// Draws them all. At most 360 x scale pixels wide and within the display. Completes edits: checkpoint() where nothing

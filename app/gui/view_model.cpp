@@ -1,6 +1,7 @@
 #include "app/gui/view_model.hpp"
 
 #include "app/toml_text.hpp"
+#include "renderer/core/atomic_file.hpp"
 #include "renderer/core/error.hpp"
 
 #include <algorithm>
@@ -102,6 +103,25 @@ void ViewModel::apply_defaults(bool is_cpu)
 std::string ViewModel::settings_toml() const
 {
     return app::differing_toml(list);
+}
+
+void ViewModel::save_settings(const std::filesystem::path& file) const
+{
+    write_text_file(file, settings_toml());
+}
+
+std::optional<std::string> ViewModel::load_settings(const std::filesystem::path& file)
+{
+    const Settings before = settings;
+    try {
+        const std::vector<SettingText> texts = read_settings_file(file);
+        settings = Settings{};
+        auto refused = apply_texts(texts);
+        if (refused) settings = before;
+        return refused;
+    } catch (const Error& e) {
+        return e.text();
+    }
 }
 
 // ---- lights

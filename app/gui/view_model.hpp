@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -53,6 +54,11 @@ public:
     void apply_defaults(bool is_cpu);
     /// What differs from the defaults as a file for --config.
     [[nodiscard]] std::string settings_toml() const;
+    /// Writes that file. Throws Error(environment).
+    void save_settings(const std::filesystem::path& file) const;
+    /// Makes the settings what a file for --config says, and the defaults where it says nothing. All of it or, with
+    /// what is wrong as the answer, nothing.
+    [[nodiscard]] std::optional<std::string> load_settings(const std::filesystem::path& file);
 
     // Lights. At most max_lights.
 

@@ -1,8 +1,8 @@
 #include "app/view/viewer.hpp"
 
 #include "app/config.hpp"
-#include "app/json_output.hpp"
 #include "app/view/actions.hpp"
+#include "renderer/core/atomic_file.hpp"
 #include "renderer/core/error.hpp"
 
 #define GLFW_INCLUDE_NONE
@@ -223,8 +223,7 @@ void Viewer::write_costs(gui::CostFile kind)
     const bool trace = kind == gui::CostFile::trace;
     const std::filesystem::path file = unused_name(trace ? ".trace.json" : ".costs.json");
     try {
-        write_json_text(file.string(),
-                        trace ? facts_.costs.to_trace(facts_.device) : facts_.costs.to_json(facts_.device));
+        write_text_file(file, trace ? facts_.costs.to_trace(facts_.device) : facts_.costs.to_json(facts_.device));
         panels_.message = fmt::format("{} written{}", file.string(), trace ? "; ui.perfetto.dev opens it" : "");
     } catch (const Error& error) {
         panels_.message = error.text();

@@ -199,6 +199,24 @@ TEST(panels, every_preset_can_be_applied)
     }
 }
 
+TEST(panels, presets_of_quality_replace_each_other)
+{
+    const auto keys_of = [](const char* preset) {
+        std::vector<std::string> keys;
+        for (const SettingText& text : app::preset_settings(preset)) keys.push_back(text.key);
+        return keys;
+    };
+    for (const char* preset : {"medium", "high", "reference"}) EXPECT_EQ(keys_of(preset), keys_of("low")) << preset;
+}
+
+TEST(panels, the_cpu_preset_is_what_a_cpu_begins_with)
+{
+    ViewModel preset, defaults;
+    ASSERT_EQ(preset.apply_texts(app::preset_settings("cpu")), std::nullopt);
+    defaults.apply_defaults(true);
+    EXPECT_EQ(preset.settings_toml(), defaults.settings_toml());
+}
+
 TEST(panels, the_camera_as_options)
 {
     EXPECT_EQ(camera_options({{-11.5f, 1.7f, 0}, {10, 3.5f, -0.4f}, 60}),

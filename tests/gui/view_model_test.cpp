@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -215,6 +217,33 @@ TEST_F(view_model, a_reset_that_is_refused_changes_nothing)
     test::expect_error([&] { model.reset(Settings{}, Camera{}, twice); }, ExitCode::usage, "sun");
     EXPECT_EQ(model.settings.ao.radius, 1.0f / 3.0f);
     EXPECT_EQ(model.lights[1].name, "light1");
+}
+
+TEST_F(view_model, settings_go_to_a_file_and_come_back)
+{
+    const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "atrium-settings.toml";
+    ViewModel model;
+    model.settings.ao.radius = 1.25f;
+    model.settings.shadow.filter = ShadowFilter::pcf;
+    model.save_settings(file);
+    const std::string saved = model.settings_toml();
+    model.settings = Settings{};
+    model.settings.ao.power = 3; // which the file leaves at its default
+    model.checkpoint();
+    EXPECT_EQ(model.load_settings(file), std::nullopt);
+    EXPECT_EQ(model.settings_toml(), saved);
+    model.undo();
+    EXPECT_EQ(model.settings.ao.power, 3);
+
+    std::ofstream(file) << "[settings]\nao.radius = 2.0\nao.radios = 1.0\n";
+    const auto refused = model.load_settings(file);
+    ASSERT_TRUE(refused);
+    EXPECT_NE(refused->find("atrium-settings.toml:3"), std::string::npos) << *refused;
+    EXPECT_NE(refused->find("ao.radius"), std::string::npos) << *refused;
+    EXPECT_EQ(model.settings.ao.power, 3);
+    std::filesystem::remove(file);
+    EXPECT_TRUE(model.load_settings(file)); // is not there
+    EXPECT_THROW(model.save_settings("/nowhere/at/all.toml"), Error);
 }
 
 } // namespace
