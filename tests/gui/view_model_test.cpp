@@ -222,7 +222,6 @@ TEST_F(view_model, a_reset_that_is_refused_changes_nothing)
 TEST_F(view_model, settings_go_to_a_file_and_come_back)
 {
     const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "atrium-settings.toml";
-    ViewModel model;
     model.settings.ao.radius = 1.25f;
     model.settings.shadow.filter = ShadowFilter::pcf;
     model.save_settings(file);
