@@ -109,10 +109,13 @@ bool Viewer::fly(double seconds, bool on_handle)
     const auto axis = [&](int positive, int negative) {
         return (window_.held(positive) ? 1.0f : 0.0f) - (window_.held(negative) ? 1.0f : 0.0f);
     };
+    const float rate = 1.2f * static_cast<float>(seconds); // radians a second
+    // Asked even while a text is typed, or they would count as held after it.
+    const vec3 move(axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_E, GLFW_KEY_Q), axis(GLFW_KEY_W, GLFW_KEY_S));
+    const vec2 turn(axis(GLFW_KEY_RIGHT, GLFW_KEY_LEFT), axis(GLFW_KEY_UP, GLFW_KEY_DOWN));
     if (!io.WantCaptureKeyboard && !io.KeyCtrl) {
-        input.move = {axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_E, GLFW_KEY_Q), axis(GLFW_KEY_W, GLFW_KEY_S)};
-        const float rate = 1.2f * static_cast<float>(seconds); // radians a second
-        input.turn = rate * vec2(axis(GLFW_KEY_RIGHT, GLFW_KEY_LEFT), axis(GLFW_KEY_UP, GLFW_KEY_DOWN));
+        input.move = move;
+        input.turn = rate * turn;
         input.fast = io.KeyShift;
     }
     const bool drag = !io.WantCaptureMouse && !on_handle &&
