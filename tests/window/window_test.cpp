@@ -154,7 +154,21 @@ TEST_F(Viewed, the_selected_light_follows_ctrl_and_drag)
               0.02);
     EXPECT_GT(change([] { desktop->tap("z", "Control_L"); }), 0.02);
     EXPECT_EQ(mean_difference(start, scene()), 0); // the view has not turned with it
+}
+
+TEST_F(Viewed, a_light_s_mark_is_clicked_and_dragged)
+{
+    const ivec2 mark{744, 281}, beside{700, 330};
+    desktop->click(window, mark);
+    desktop->move(window, {850, 500});
+    ASSERT_TRUE(settle());
     picture("window-lights");
+    const Image8 start = scene();
+    EXPECT_GT(change([&] { desktop->drag(window, mark, beside); }), 0.02);
+    EXPECT_GT(change([] { desktop->tap("z", "Control_L"); }), 0.02);
+    desktop->move(window, {850, 500});
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(mean_difference(start, scene()), 0);
 }
 
 TEST_F(Viewed, a_screenshot_is_drawn_again_to_the_byte)
