@@ -108,6 +108,7 @@ TEST(panels, clicks_anywhere_leave_a_scene_that_can_be_drawn)
     ViewModel model;
     PanelState state;
     fill(model, state);
+    state.settings_file = ""; // which no click can write
     FrameFacts facts = busy_frame();
     const auto draw = [&] { draw_panels(model, facts, state); };
     for (const Tab tab : all_tabs) {
