@@ -9,7 +9,7 @@ const float widest_filter = 1.0 / 8.0; // radius, share of the tile
 const float least_search = 2.0;        // texels: the close search reaches as many times further as the wide one beyond it
 const float even_height = 0.75;        // share of the mean height from which the harmonic mean tells of blockers of one kind
 const float least_height = 0.15;       // share of a kind's blockers' height from which something hides the light's rim
-const float least_width = 8.0;         // pixels: of a penumbra that is blurred
+const float least_width = 12.0;        // pixels: of a penumbra that is blurred
 const float tiny = 2.0;                // texels: radius of a filter that few comparisons cover
 
 #include "techniques/shadow/receiver.glsl"
