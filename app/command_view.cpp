@@ -4,6 +4,8 @@
 #include "app/scene_input.hpp"
 #include "app/view/viewer.hpp"
 #include "app/view/window_state.hpp"
+#include "renderer/core/error.hpp"
+#include "renderer/core/log.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -18,24 +20,39 @@ struct Options {
     bool continuous = false;
 };
 
+/// Binds what the user's file of keys says, if there is one, and makes a message of its mistakes.
+void read_keys(ViewerStart& start)
+{
+    const std::filesystem::path file = user_file("keys.toml");
+    if (file.empty() || !std::filesystem::exists(file)) return;
+    for (const Error& error : start.keys.read(file)) {
+        log_info(error.text());
+        start.message += (start.message.empty() ? "" : "\n") + error.text();
+    }
+}
+
 int run(const Options& o)
 {
     const SceneInput scene = read_scene_input(o.scene, o.frame);
     const SettingChain chain(o.frame, scene);
-    FrameRequest request = make_request(o.frame, scene, chain);
+    ViewerStart start;
+    start.frame = make_request(o.frame, scene, chain);
+    start.scene = o.scene.scene.filename().string();
+    start.continuous = o.continuous;
+    read_keys(start);
 
-    const std::filesystem::path state_file = window_state_file(), path = std::filesystem::absolute(o.scene.scene);
+    const std::filesystem::path state_file = user_file("window.toml"), path = std::filesystem::absolute(o.scene.scene);
     WindowState state = read_window_state(state_file).value_or(WindowState{});
     if (o.frame.size) state.place.size = ivec2(*o.frame.size);
     const bool camera_given = !o.frame.camera.empty() || o.frame.eye || !o.frame.config.empty();
-    if (state.scene == path && !camera_given) request.camera = state.camera;
+    if (state.scene == path && !camera_given) start.frame.camera = state.camera;
     Window window("Atrium", state.place);
     EngineOptions options = engine_options(o.scene);
     options.window = window.window_system();
     Engine engine(options);
-    request.settings = chain.apply(engine.device().report().is_cpu);
+    start.frame.settings = chain.apply(engine.device().report().is_cpu);
     engine.load(scene.description());
-    Viewer viewer(window, engine, request, o.scene.scene.filename().string(), o.continuous);
+    Viewer viewer(window, engine, start);
     viewer.run();
     write_window_state(state_file, {window.place(), path, viewer.camera()});
     return verdict(engine);

@@ -156,6 +156,7 @@ void draw_help_tab(const PanelState& state)
         wrapped(line.keys);
         ImGui::TableNextColumn();
         wrapped(line.act);
+        if (!line.name.empty()) tooltip(fmt::format("{} in keys.toml", line.name).c_str());
     }
     ImGui::EndTable();
 }

@@ -33,6 +33,7 @@ struct FrameFacts {
 /// One line of the help.
 struct KeyHelp {
     std::string keys, act;
+    std::string name; ///< in a file of keys; empty: it cannot be changed
 };
 
 /// A file of costs that is wished for: cost_history.hpp.

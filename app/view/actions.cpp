@@ -11,49 +11,40 @@
 namespace atrium::app {
 namespace {
 
-struct Binding {
-    Action action;
-    int key, mods;
-    const char* label;
-    const char* help;
-};
-
-constexpr std::array bindings{
-    Binding{Action::soft_shadows, GLFW_KEY_P, 0, "P", "soft shadows on and off"},
-    Binding{Action::softer, GLFW_KEY_PAGE_UP, 0, "Page up", "softer shadows"},
-    Binding{Action::harder, GLFW_KEY_PAGE_DOWN, 0, "Page down", "harder shadows"},
-    Binding{Action::ao_method, GLFW_KEY_O, 0, "O", "next method of ambient occlusion"},
-    Binding{Action::normal_mapping, GLFW_KEY_N, 0, "N", "normal mapping on and off"},
-    Binding{Action::gui, GLFW_KEY_F1, 0, "F1", "show and hide the panels"},
-    Binding{Action::full_screen, GLFW_KEY_F11, 0, "F11", "full screen"},
-    Binding{Action::screenshot, GLFW_KEY_F12, 0, "F12", "write a screenshot, without panels"},
-    Binding{Action::undo, GLFW_KEY_Z, GLFW_MOD_CONTROL, "Ctrl+Z", "undo"},
-    Binding{Action::redo, GLFW_KEY_Y, GLFW_MOD_CONTROL, "Ctrl+Y", "redo"},
+constexpr std::array actions{
+    ActionInfo{Action::forward, "forward", {GLFW_KEY_W, 0}, "forward"},
+    ActionInfo{Action::left, "left", {GLFW_KEY_A, 0}, "to the left"},
+    ActionInfo{Action::back, "back", {GLFW_KEY_S, 0}, "back"},
+    ActionInfo{Action::right, "right", {GLFW_KEY_D, 0}, "to the right"},
+    ActionInfo{Action::down, "down", {GLFW_KEY_Q, 0}, "down"},
+    ActionInfo{Action::up, "up", {GLFW_KEY_E, 0}, "up"},
+    ActionInfo{Action::turn_left, "turn_left", {GLFW_KEY_LEFT, 0}, "turn left"},
+    ActionInfo{Action::turn_right, "turn_right", {GLFW_KEY_RIGHT, 0}, "turn right"},
+    ActionInfo{Action::turn_up, "turn_up", {GLFW_KEY_UP, 0}, "turn up"},
+    ActionInfo{Action::turn_down, "turn_down", {GLFW_KEY_DOWN, 0}, "turn down"},
+    ActionInfo{Action::soft_shadows, "soft_shadows", {GLFW_KEY_P, 0}, "soft shadows on and off"},
+    ActionInfo{Action::softer, "softer", {GLFW_KEY_PAGE_UP, 0}, "softer shadows"},
+    ActionInfo{Action::harder, "harder", {GLFW_KEY_PAGE_DOWN, 0}, "harder shadows"},
+    ActionInfo{Action::ao_method, "ao_method", {GLFW_KEY_O, 0}, "next method of ambient occlusion"},
+    ActionInfo{Action::normal_mapping, "normal_mapping", {GLFW_KEY_N, 0}, "normal mapping on and off"},
+    ActionInfo{Action::frame, "frame", {GLFW_KEY_HOME, 0}, "frame the selected light, or the scene"},
+    ActionInfo{Action::compare,
+               "compare",
+               {GLFW_KEY_V, 0},
+               "write three pictures: as it is, shadows by reference, their difference x 4"},
+    ActionInfo{Action::gui, "gui", {GLFW_KEY_F1, 0}, "show and hide the panels"},
+    ActionInfo{Action::help, "help", {GLFW_KEY_H, 0}, "this list"},
+    ActionInfo{Action::full_screen, "full_screen", {GLFW_KEY_F11, 0}, "full screen"},
+    ActionInfo{Action::screenshot, "screenshot", {GLFW_KEY_F12, 0}, "write a screenshot, without panels"},
+    ActionInfo{Action::undo, "undo", {GLFW_KEY_Z, GLFW_MOD_CONTROL}, "undo"},
+    ActionInfo{Action::redo, "redo", {GLFW_KEY_Y, GLFW_MOD_CONTROL}, "redo"},
 };
 
 } // namespace
 
-Action action_of(const KeyPress& press)
+std::span<const ActionInfo> all_actions()
 {
-    constexpr int counted = GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER;
-    const auto found = std::find_if(bindings.begin(), bindings.end(), [&](const Binding& b) {
-        return b.key == press.key && b.mods == (press.mods & counted);
-    });
-    return found == bindings.end() ? Action::none : found->action;
-}
-
-std::vector<gui::KeyHelp> key_table()
-{
-    std::vector<gui::KeyHelp> out{
-        {"W A S D", "move"},
-        {"Q E", "down and up"},
-        {"Shift", "faster"},
-        {"Wheel", "speed"},
-        {"Arrows, drag", "turn the view"},
-        {"Ctrl+drag", "move the selected light (Shift: along the view)"},
-    };
-    for (const Binding& b : bindings) out.push_back({b.label, b.help});
-    return out;
+    return actions;
 }
 
 void step_setting(const SettingList& list, Action action)

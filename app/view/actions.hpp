@@ -1,32 +1,58 @@
 #pragma once
-// What keys do.
+// What keys can do.
 
-#include "app/gui/panels.hpp"
 #include "app/view/window.hpp"
 #include "renderer/core/setting.hpp"
+
+#include <span>
 
 namespace atrium::app {
 
 enum class Action : std::uint8_t {
     none,
-    gui,
-    full_screen,
-    screenshot,
-    undo,
-    redo,
+    // As long as the key is held.
+    forward,
+    left,
+    back,
+    right,
+    down,
+    up,
+    turn_left,
+    turn_right,
+    turn_up,
+    turn_down,
+    // Once, when it goes down.
     soft_shadows,
     softer,
     harder,
     ao_method,
-    normal_mapping
+    normal_mapping,
+    frame,
+    compare,
+    gui,
+    help,
+    full_screen,
+    screenshot,
+    undo,
+    redo
 };
 
-[[nodiscard]] Action action_of(const KeyPress& press);
+[[nodiscard]] constexpr bool is_held(Action action)
+{
+    return action >= Action::forward && action <= Action::turn_down;
+}
 
-/// For the help panel: keys and what they do.
-[[nodiscard]] std::vector<gui::KeyHelp> key_table();
+struct ActionInfo {
+    Action action;
+    const char* name; ///< in a file of keys
+    KeyPress key;     ///< by default
+    const char* help;
+};
 
-/// Does to settings what the action's key says: to the next value, on and off, or up and down by a tenth.
+/// All but `none`, in the order of the help.
+[[nodiscard]] std::span<const ActionInfo> all_actions();
+
+/// Does to settings what the action says: to the next value, on and off, or up and down by a tenth.
 void step_setting(const SettingList& list, Action action);
 
 } // namespace atrium::app

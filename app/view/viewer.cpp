@@ -1,19 +1,18 @@
 #include "app/view/viewer.hpp"
 
 #include "app/config.hpp"
-#include "app/view/actions.hpp"
+#include "app/gui/framing.hpp"
+#include "app/view/comparison.hpp"
+#include "app/view/numbered_file.hpp"
 #include "renderer/core/atomic_file.hpp"
 #include "renderer/core/error.hpp"
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <imgui/imgui.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <utility>
 
 namespace atrium::app {
@@ -36,14 +35,6 @@ double whole_ms(const FrameResult& frame)
     return frame.record_ms + frame.stats.wall_ms - frame.stats.cpu_ms;
 }
 
-/// In the present folder, numbered.
-std::filesystem::path unused_name(const char* ending)
-{
-    std::filesystem::path file;
-    for (int i = 0; file.empty() || std::filesystem::exists(file); ++i) file = fmt::format("atrium.{:04}{}", i, ending);
-    return file;
-}
-
 } // namespace
 
 void MovingScale::measured(float share, double ms)
@@ -59,16 +50,17 @@ float MovingScale::choose(double goal_ms) const
     return static_cast<float>(std::clamp(std::floor(share * 20) / 20, 0.2, 1.0));
 }
 
-Viewer::Viewer(Window& window, Engine& engine, const FrameRequest& start, const std::string& scene, bool continuous)
+Viewer::Viewer(Window& window, Engine& engine, const ViewerStart& start)
     : window_(window), engine_(engine), gui_(window, engine), flight_(engine.scene().bounds().diagonal()),
-      request_(start), continuous_(continuous)
+      keys_(start.keys), request_(start.frame), continuous_(start.continuous)
 {
-    model_.reset(start.settings, start.camera, start.lights);
-    model_.scene_name = scene;
+    model_.reset(start.frame.settings, start.frame.camera, start.frame.lights);
+    model_.scene_name = start.scene;
     facts_.device = engine.device().report().name;
     facts_.is_cpu = engine.device().report().is_cpu;
-    panels_.keys = key_table();
-    window.set_title("Atrium: " + scene);
+    panels_.keys = keys_.help();
+    panels_.message = start.message;
+    window.set_title("Atrium: " + start.scene);
 }
 
 void Viewer::run()
@@ -106,13 +98,13 @@ bool Viewer::fly(double seconds, bool on_handle)
 {
     const ImGuiIO& io = ImGui::GetIO();
     gui::FlyInput input;
-    const auto axis = [&](int positive, int negative) {
-        return (window_.held(positive) ? 1.0f : 0.0f) - (window_.held(negative) ? 1.0f : 0.0f);
-    };
+    const auto held = [&](Action action) { return window_.held(keys_.key_of(action).key) ? 1.0f : 0.0f; };
     const float rate = 1.2f * static_cast<float>(seconds); // radians a second
     // Asked even while a text is typed, or they would count as held after it.
-    const vec3 move(axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_E, GLFW_KEY_Q), axis(GLFW_KEY_W, GLFW_KEY_S));
-    const vec2 turn(axis(GLFW_KEY_RIGHT, GLFW_KEY_LEFT), axis(GLFW_KEY_UP, GLFW_KEY_DOWN));
+    const vec3 move(held(Action::right) - held(Action::left), held(Action::up) - held(Action::down),
+                    held(Action::forward) - held(Action::back));
+    const vec2 turn(held(Action::turn_right) - held(Action::turn_left),
+                    held(Action::turn_up) - held(Action::turn_down));
     if (!io.WantCaptureKeyboard && !io.KeyCtrl) {
         input.move = move;
         input.turn = rate * turn;
@@ -148,35 +140,58 @@ void Viewer::drag_light(vec2 pixels, bool along)
 void Viewer::handle_keys(uvec2 pixels)
 {
     for (const KeyPress& press : window_.take_presses()) {
-        if (ImGui::GetIO().WantTextInput) continue;
-        switch (action_of(press)) {
-        case Action::gui:
-            show_gui_ = !show_gui_;
-            break;
-        case Action::full_screen:
-            window_.toggle_full_screen();
-            break;
-        case Action::screenshot:
-            write_screenshot(pixels);
-            break;
-        case Action::undo:
-            model_.undo();
-            break;
-        case Action::redo:
-            model_.redo();
-            break;
-        case Action::soft_shadows:
-        case Action::ao_method:
-        case Action::normal_mapping:
-        case Action::softer:
-        case Action::harder:
-            step_setting(model_.list, action_of(press));
-            model_.checkpoint();
-            break;
-        case Action::none:
-            break;
-        }
+        if (!ImGui::GetIO().WantTextInput) act(keys_.action_of(press), pixels);
     }
+}
+
+void Viewer::act(Action action, uvec2 pixels)
+{
+    switch (action) {
+    case Action::gui:
+        show_gui_ = !show_gui_;
+        break;
+    case Action::help:
+        show_gui_ = true;
+        panels_.show = gui::Tab::help;
+        break;
+    case Action::full_screen:
+        window_.toggle_full_screen();
+        break;
+    case Action::screenshot:
+        write_screenshot(pixels);
+        break;
+    case Action::compare:
+        write_comparison(pixels);
+        break;
+    case Action::frame:
+        frame_selection(pixels);
+        break;
+    case Action::undo:
+        model_.undo();
+        break;
+    case Action::redo:
+        model_.redo();
+        break;
+    case Action::soft_shadows:
+    case Action::ao_method:
+    case Action::normal_mapping:
+    case Action::softer:
+    case Action::harder:
+        step_setting(model_.list, action);
+        model_.checkpoint();
+        break;
+    default:
+        break;
+    }
+}
+
+void Viewer::frame_selection(uvec2 pixels)
+{
+    const Bounds& bounds = engine_.scene().bounds();
+    const float aspect = static_cast<float>(pixels.x) / static_cast<float>(pixels.y);
+    Camera& camera = model_.camera;
+    camera = model_.selected ? gui::frame_light(camera, model_.lights[*model_.selected], bounds.diagonal())
+                             : frame_bounds(bounds, camera.fov, aspect);
 }
 
 void Viewer::draw_interface(uvec2 pixels)
@@ -207,15 +222,30 @@ std::string Viewer::state_text() const
     return text;
 }
 
-void Viewer::write_screenshot(uvec2 pixels)
+FrameRequest Viewer::wanted_picture(uvec2 size) const
 {
-    FrameRequest wanted = wanted_frame(pixels);
+    FrameRequest wanted = wanted_frame(size);
     wanted.want_picture = true;
     wanted.keep_picture = wanted.remember = false;
-    const std::filesystem::path file = unused_name(".png");
+    return wanted;
+}
+
+void Viewer::write_screenshot(uvec2 pixels)
+{
+    const FrameRequest wanted = wanted_picture(pixels);
+    const std::string file = unused_name({".png"}) + ".png";
     try {
         write_png(file, engine_.render(wanted).picture, describe_frame(wanted, 0));
-        panels_.message = fmt::format("{} written; --config {} draws it again", file.string(), file.string());
+        panels_.message = fmt::format("{} written; --config {} draws it again", file, file);
+    } catch (const Error& error) {
+        panels_.message = error.text();
+    }
+}
+
+void Viewer::write_comparison(uvec2 pixels)
+{
+    try {
+        panels_.message = app::write_comparison(engine_, wanted_picture(pixels));
     } catch (const Error& error) {
         panels_.message = error.text();
     }
@@ -224,10 +254,11 @@ void Viewer::write_screenshot(uvec2 pixels)
 void Viewer::write_costs(gui::CostFile kind)
 {
     const bool trace = kind == gui::CostFile::trace;
-    const std::filesystem::path file = unused_name(trace ? ".trace.json" : ".costs.json");
+    const char* ending = trace ? ".trace.json" : ".costs.json";
+    const std::string file = unused_name({ending}) + ending;
     try {
         write_text_file(file, trace ? facts_.costs.to_trace(facts_.device) : facts_.costs.to_json(facts_.device));
-        panels_.message = fmt::format("{} written{}", file.string(), trace ? "; ui.perfetto.dev opens it" : "");
+        panels_.message = fmt::format("{} written{}", file, trace ? "; ui.perfetto.dev opens it" : "");
     } catch (const Error& error) {
         panels_.message = error.text();
     }

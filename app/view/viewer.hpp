@@ -6,6 +6,7 @@
 #include "app/gui/panels.hpp"
 #include "app/gui/view_model.hpp"
 #include "app/view/gui.hpp"
+#include "app/view/key_bindings.hpp"
 
 #include <chrono>
 #include <optional>
@@ -26,9 +27,18 @@ private:
     double full_ms_ = 0;
 };
 
+/// What a window begins with.
+struct ViewerStart {
+    FrameRequest frame;
+    std::string scene; ///< its name
+    KeyBindings keys;
+    std::string message;     ///< shown until it is put away
+    bool continuous = false; ///< draw also when nothing changes
+};
+
 class Viewer {
 public:
-    Viewer(Window& window, Engine& engine, const FrameRequest& start, const std::string& scene, bool continuous);
+    Viewer(Window& window, Engine& engine, const ViewerStart& start);
     /// Until the window is closed.
     void run();
     [[nodiscard]] const Camera& camera() const { return model_.camera; }
@@ -39,12 +49,18 @@ private:
     /// The selected light follows the mouse: in the view's plane, or (`along`) nearer and farther.
     void drag_light(vec2 pixels, bool along);
     void handle_keys(uvec2 pixels);
+    void act(Action action, uvec2 pixels);
+    /// The selected light, or the whole scene, into the middle of the picture.
+    void frame_selection(uvec2 pixels);
     void draw_interface(uvec2 pixels);
     /// What the model says, drawn as `render` draws it, into the present folder, with its description.
     void write_screenshot(uvec2 pixels);
+    void write_comparison(uvec2 pixels);
     void write_costs(gui::CostFile kind);
     /// A request for what is to be shown now, at that size.
     [[nodiscard]] FrameRequest wanted_frame(uvec2 size) const;
+    /// The same to be read back, which leaves what the window shows as it is.
+    [[nodiscard]] FrameRequest wanted_picture(uvec2 size) const;
     /// Draws the scene if what it shows is not what is wanted.
     void draw_scene(uvec2 pixels, bool moving);
     [[nodiscard]] std::string state_text() const;
@@ -58,6 +74,7 @@ private:
     gui::FrameFacts facts_;
     gui::FlyCamera flight_;
     gui::LightHandles handles_;
+    KeyBindings keys_;
     FrameRequest request_;
     MovingScale moving_scale_;
     bool continuous_, show_gui_ = true;

@@ -22,6 +22,7 @@ struct WindowPlace {
 /// A key that went down: GLFW_KEY_…, and GLFW_MOD_… held with it.
 struct KeyPress {
     int key = 0, mods = 0;
+    bool operator==(const KeyPress&) const = default;
 };
 
 class Window {

@@ -22,11 +22,11 @@ int whole(const TomlReader& reader, const char* key, int otherwise)
 
 } // namespace
 
-std::filesystem::path window_state_file()
+std::filesystem::path user_file(const std::string& name)
 {
-    const std::filesystem::path name = std::filesystem::path("atrium") / "window.toml";
-    if (const char* xdg = std::getenv("XDG_CONFIG_HOME"); xdg && *xdg) return xdg / name;
-    if (const char* home = std::getenv("HOME"); home && *home) return std::filesystem::path(home) / ".config" / name;
+    const std::filesystem::path file = std::filesystem::path("atrium") / name;
+    if (const char* xdg = std::getenv("XDG_CONFIG_HOME"); xdg && *xdg) return xdg / file;
+    if (const char* home = std::getenv("HOME"); home && *home) return std::filesystem::path(home) / ".config" / file;
     return {};
 }
 

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 namespace atrium::app {
 
@@ -16,8 +17,8 @@ struct WindowState {
     bool operator==(const WindowState&) const = default;
 };
 
-/// $XDG_CONFIG_HOME/atrium/window.toml, or below ~/.config; empty when neither variable is set.
-[[nodiscard]] std::filesystem::path window_state_file();
+/// $XDG_CONFIG_HOME/atrium/NAME, or below ~/.config; empty when neither variable is set.
+[[nodiscard]] std::filesystem::path user_file(const std::string& name);
 
 /// None where there is no such file. A damaged one is told of and taken for none: it must not keep a window shut.
 [[nodiscard]] std::optional<WindowState> read_window_state(const std::filesystem::path& file);
