@@ -61,28 +61,32 @@ void draw_history(const FrameFacts& facts, float scale)
 {
     const std::deque<FrameCost>& frames = facts.costs.frames();
     if (frames.empty()) return;
-    double most = 1e-6;
+    std::vector<double> sums;
     for (const FrameCost& frame : frames) {
-        double passes = 0;
-        for (const PassCost& pass : frame.passes) passes += pass.ms;
-        most = std::max(most, passes);
+        sums.push_back(0);
+        for (const PassCost& pass : frame.passes) sums.back() += pass.ms;
     }
+    std::sort(sums.begin(), sums.end());
+    const double median = sums[sums.size() / 2];
+    const double top = std::max(std::min(sums.back(), 4 * median), 1e-6); // a first frame takes seconds: it is cut
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const ImVec2 size{ImGui::GetContentRegionAvail().x, 72.0f * scale};
     ImGui::InvisibleButton("##history", {std::max(size.x, 1.0f), size.y});
     const bool pointed = ImGui::IsItemHovered();
     const ImVec2 to{from.x + size.x, from.y + size.y};
     ImGui::GetWindowDrawList()->AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg));
+    ImGui::GetWindowDrawList()->PushClipRect(from, to, true);
 
     const float width = size.x / static_cast<float>(CostHistory::longest); // the newest stands at the right
     float x = to.x - width * static_cast<float>(frames.size());
     for (const FrameCost& frame : frames) {
-        draw_stack(facts, frame, {x, to.y}, width, 0.95f * size.y / static_cast<float>(most));
+        draw_stack(facts, frame, {x, to.y}, width, 0.95f * size.y / static_cast<float>(top));
         const float mouse = ImGui::GetIO().MousePos.x;
         if (pointed && mouse >= x && mouse < x + width) draw_frame_tip(frame);
         x += width;
     }
-    ImGui::TextDisabled("%s", fmt::format("{} frames, passes up to {:.1f} ms", frames.size(), most).c_str());
+    ImGui::GetWindowDrawList()->PopClipRect();
+    ImGui::TextDisabled("%s", fmt::format("{} frames, half of them up to {:.1f} ms", frames.size(), median).c_str());
 }
 
 void draw_passes(const FrameFacts& facts, const FrameCost& last)

@@ -102,12 +102,15 @@ bool Viewer::fly(double seconds, bool on_handle)
     const ImGuiIO& io = ImGui::GetIO();
     gui::FlyInput input;
     const auto held = [&](Action action) { return window_.held(keys_.key_of(action).key) ? 1.0f : 0.0f; };
+    const float rate = 1.2f * static_cast<float>(seconds); // radians a second
+    // Asked even while a text is typed, or they would count as held after it.
+    const vec3 move(held(Action::right) - held(Action::left), held(Action::up) - held(Action::down),
+                    held(Action::forward) - held(Action::back));
+    const vec2 turn(held(Action::turn_right) - held(Action::turn_left),
+                    held(Action::turn_up) - held(Action::turn_down));
     if (!io.WantCaptureKeyboard && !io.KeyCtrl) {
-        input.move = {held(Action::right) - held(Action::left), held(Action::up) - held(Action::down),
-                      held(Action::forward) - held(Action::back)};
-        const float rate = 1.2f * static_cast<float>(seconds); // radians a second
-        input.turn = rate * vec2(held(Action::turn_right) - held(Action::turn_left),
-                                 held(Action::turn_up) - held(Action::turn_down));
+        input.move = move;
+        input.turn = rate * turn;
         input.fast = io.KeyShift;
     }
     const bool drag = !io.WantCaptureMouse && !on_handle &&

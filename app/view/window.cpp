@@ -66,6 +66,7 @@ Window::Window(const std::string& title, const WindowPlace& place) : windowed_(p
     if (place.position.x >= 0 && monitor_of(place)) glfwSetWindowPos(window_, place.position.x, place.position.y);
     if (place.maximised) glfwMaximizeWindow(window_);
     glfwSetWindowUserPointer(window_, this);
+    glfwSetInputMode(window_, GLFW_STICKY_KEYS, GLFW_TRUE); // a key that came and went within a slow frame counts
     listen();
 }
 

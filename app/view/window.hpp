@@ -48,6 +48,7 @@ public:
 
     /// Keys since the last call.
     [[nodiscard]] std::vector<KeyPress> take_presses();
+    /// Now, or since this was last asked.
     [[nodiscard]] bool held(int key) const;
 
 private:

@@ -98,6 +98,12 @@ protected:
         }
         return false;
     }
+    /// For scripts/pictures: what the window shows now is a picture in the documents.
+    static void picture(const std::string& name)
+    {
+        if (const char* wanted = std::getenv("ATRIUM_WINDOW_PICTURES"))
+            write_png(fs::path(wanted) / (name + ".png"), desktop->grab(window));
+    }
     static Image8 scene() { return scene_part(desktop->grab(window)); }
     /// Does something and tells by how much the scene's picture has changed when all is quiet again.
     template <class F>
@@ -123,8 +129,7 @@ TEST_F(Viewed, shows_what_render_draws)
                                 std::to_string(window_size.x) + "x" + std::to_string(window_size.y) +
                                 " --set ao.method=gtao -o " + file.string() + " --quiet";
     ASSERT_EQ(std::system(command.c_str()), 0);
-    // scripts/pictures takes the document's picture of the window here.
-    if (const char* wanted = std::getenv("ATRIUM_WINDOW_PICTURE")) write_png(wanted, desktop->grab(window));
+    picture("window");
     desktop->tap("F1"); // panels and handles
     EXPECT_TRUE(settle());
     EXPECT_LE(mean_difference(desktop->grab(window), read_png(file)), 0.01); // encoded, decoded and encoded again
@@ -176,6 +181,21 @@ TEST_F(Viewed, bookmarks_are_kept_and_gone_to)
     EXPECT_GT(change([&] { desktop->click(window, bookmark); }), 3);
     EXPECT_EQ(mean_difference(there, scene()), 0);
     EXPECT_GT(change([&] { desktop->click(window, hero); }), 3);
+}
+
+TEST_F(Viewed, a_light_s_mark_is_clicked_and_dragged)
+{
+    const ivec2 mark{744, 281}, beside{700, 330};
+    desktop->click(window, mark);
+    desktop->move(window, {850, 500});
+    ASSERT_TRUE(settle());
+    picture("window-lights");
+    const Image8 start = scene();
+    EXPECT_GT(change([&] { desktop->drag(window, mark, beside); }), 0.02);
+    EXPECT_GT(change([] { desktop->tap("z", "Control_L"); }), 0.02);
+    desktop->move(window, {850, 500});
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(mean_difference(start, scene()), 0);
 }
 
 TEST_F(Viewed, a_screenshot_is_drawn_again_to_the_byte)
@@ -288,9 +308,31 @@ TEST_F(Viewed, flies_while_keys_are_held)
     EXPECT_EQ(change([] { desktop->tap("Home"); }), 0);
 }
 
+TEST_F(Viewed, a_key_that_is_only_tapped_moves_too)
+{
+    EXPECT_GT(change([] { desktop->tap("s"); }), 0.05);
+}
+
+TEST_F(Viewed, writes_what_frames_cost)
+{
+    const auto click = [](ivec2 at) {
+        desktop->click(window, at);
+        EXPECT_TRUE(settle());
+    };
+    click({52, 170});  // puts the screenshot's message away, of two lines
+    click({239, 139}); // the tab of costs
+    picture("window-costs");
+    click({65, 345});  // save as JSON
+    click({52, 156});  // its message, of one
+    click({165, 345}); // save as trace
+    for (const char* name : {"atrium.0000.costs.json", "atrium.0000.trace.json"}) {
+        EXPECT_NE(bytes_of(folder / name).find("gbuffer"), std::string::npos) << name;
+    }
+}
+
 TEST_F(Viewed, z_ends_cleanly_and_comes_back_where_it_was)
 {
-    desktop->tap("F1"); // with the panels go the handles of what was selected, which is not kept
+    desktop->tap("F1"); // a light that was selected is not so the next time
     ASSERT_TRUE(settle());
     const Image8 before = scene();
     desktop->close(window);
