@@ -8,6 +8,7 @@
 #include "renderer/core/log.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <memory>
 
@@ -25,10 +26,10 @@ void read_keys(ViewerStart& start)
 {
     const std::filesystem::path file = user_file("keys.toml");
     if (file.empty() || !std::filesystem::exists(file)) return;
-    for (const Error& error : start.keys.read(file)) {
-        log_info(error.text());
-        start.message += (start.message.empty() ? "" : "\n") + error.text();
-    }
+    const std::vector<Error> errors = start.keys.read(file);
+    for (const Error& error : errors) log_info(error.text());
+    if (!errors.empty()) start.message = errors.front().text();
+    if (errors.size() > 1) start.message += fmt::format("\nand {} more, told in the terminal", errors.size() - 1);
 }
 
 int run(const Options& o)
@@ -46,6 +47,9 @@ int run(const Options& o)
     if (o.frame.size) state.place.size = ivec2(*o.frame.size);
     const bool camera_given = !o.frame.camera.empty() || o.frame.eye || !o.frame.config.empty();
     if (state.scene == path && !camera_given) start.frame.camera = state.camera;
+    start.scene_cameras = scene.file.cameras;
+    start.bookmarks = state.bookmarks[path.string()];
+    start.settings_file = state.settings_file;
     Window window("Atrium", state.place);
     EngineOptions options = engine_options(o.scene);
     options.window = window.window_system();
@@ -54,7 +58,12 @@ int run(const Options& o)
     engine.load(scene.description());
     Viewer viewer(window, engine, start);
     viewer.run();
-    write_window_state(state_file, {window.place(), path, viewer.camera()});
+    state.place = window.place();
+    state.scene = path;
+    state.camera = viewer.camera();
+    state.settings_file = viewer.settings_file();
+    state.bookmarks[path.string()] = viewer.bookmarks();
+    write_window_state(state_file, state);
     return verdict(engine);
 }
 

@@ -1,5 +1,6 @@
 // The tab of costs: what the last frame took, and which pass how much of it.
 
+#include "app/gui/controls.hpp"
 #include "app/gui/panels.hpp"
 
 #include <algorithm>
@@ -14,13 +15,6 @@ namespace {
 void text(const std::string& line)
 {
     ImGui::TextUnformatted(line.c_str());
-}
-
-void wrapped(const std::string& line)
-{
-    ImGui::PushTextWrapPos(0);
-    text(line);
-    ImGui::PopTextWrapPos();
 }
 
 /// 1234567 as 1 234 567.

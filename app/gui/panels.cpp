@@ -1,8 +1,8 @@
 #include "app/gui/panels.hpp"
 
+#include "app/gui/controls.hpp"
 #include "app/presets.hpp"
 #include "renderer/core/error.hpp"
-#include "renderer/core/text_value.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -13,28 +13,6 @@
 
 namespace atrium::gui {
 namespace {
-
-void wrapped(const std::string& text)
-{
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-}
-
-void tooltip(const char* text)
-{
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
-}
-
-/// A button beside the one before, or under it where the line is full.
-bool flowing_button(const char* label, bool first)
-{
-    const ImGuiStyle& style = ImGui::GetStyle();
-    const float width = ImGui::CalcTextSize(label).x + 2.0f * style.FramePadding.x;
-    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
-    if (!first && ImGui::GetItemRectMax().x + style.ItemSpacing.x + width < right) ImGui::SameLine();
-    return ImGui::Button(label);
-}
 
 void draw_head(ViewModel& model, const FrameFacts& facts, PanelState& state)
 {
@@ -112,38 +90,6 @@ void draw_setting_tab(ViewModel& model, PanelState& state, bool is_cpu)
     ImGui::EndChild();
 }
 
-void draw_camera_tab(ViewModel& model, PanelState& state, bool is_cpu)
-{
-    // Described as settings are, with the camera one began with as the default.
-    constexpr Range fov{1.5f, 169.0f};
-    const auto within = [](const vec3& p) { return glm::clamp(p, vec3(world_range.min), vec3(world_range.max)); };
-    Camera camera = model.start_camera();
-    camera = {within(camera.eye), within(camera.target), std::clamp(camera.fov, fov.min, fov.max)};
-    SettingList keys("camera key", "");
-    keys.group("", "Camera");
-    keys("eye", camera.eye, "Where it stands", world_range, "m");
-    keys("target", camera.target, "What it looks at", world_range, "m");
-    keys("fov", camera.fov, "Vertical field of view", fov, "degrees");
-    camera = model.camera;
-
-    bool changed = false;
-    for (const Setting& key : keys.all()) changed = draw_setting(key, is_cpu) || changed;
-    if (flowing_button("back to the start", true)) {
-        camera = model.start_camera();
-        changed = true;
-    }
-    if (flowing_button("copy as options", false)) ImGui::SetClipboardText(camera_options(model.camera).c_str());
-    tooltip("For the command line of atrium render");
-    if (!changed) return;
-    try {
-        check_camera(camera, ExitCode::usage, "camera");
-        model.camera = camera;
-        state.message.clear();
-    } catch (const Error& e) {
-        state.message = fmt::format("{}: {}", e.what(), e.why());
-    }
-}
-
 void draw_help_tab(const PanelState& state)
 {
     if (state.keys.empty()) ImGui::TextDisabled("There is no help.");
@@ -197,12 +143,6 @@ void draw_panels(ViewModel& model, const FrameFacts& facts, PanelState& state)
     }
     ImGui::End();
     if (!ImGui::IsAnyItemActive() && !state.dragging) model.checkpoint();
-}
-
-std::string camera_options(const Camera& camera)
-{
-    const auto list = [](const vec3& v) { return fmt::format("{},{},{}", to_text(v.x), to_text(v.y), to_text(v.z)); };
-    return fmt::format("--eye {} --target {} --fov {}", list(camera.eye), list(camera.target), to_text(camera.fov));
 }
 
 } // namespace atrium::gui

@@ -5,6 +5,7 @@
 #include "app/gui/setting_widgets.hpp"
 #include "app/gui/view_model.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -49,6 +50,9 @@ struct PanelState {
     std::optional<Tab> show;                     ///< turn to this tab in the next frame
     std::string filter;                          ///< of the settings
     std::string settings_file = "settings.toml"; ///< to save into and load from
+    std::string new_bookmark;                    ///< name that is being typed
+    std::optional<std::size_t> camera;           ///< selected of the scene's cameras and, after them, the bookmarks
+    bool frame = false;                          ///< wished for in this frame: to see the selected light, or the scene
     std::optional<CostFile> save_costs;          ///< wished for in this frame
     bool dragging = false;                       ///< something beside the panels is in the middle of an edit
     Headings headings = Headings::as_they_are;   ///< of the settings, in the next frame that shows them
@@ -59,6 +63,7 @@ struct PanelState {
 void draw_panels(ViewModel& model, const FrameFacts& facts, PanelState& state);
 
 /// One tab, for draw_panels().
+void draw_camera_tab(ViewModel& model, PanelState& state, bool is_cpu);
 void draw_light_tab(ViewModel& model, PanelState& state, bool is_cpu);
 void draw_cost_tab(const FrameFacts& facts, PanelState& state);
 

@@ -1,6 +1,7 @@
 #pragma once
 // What the window shows and edits, and the way back from each edit. Knows nothing of how it is drawn.
 
+#include "app/gui/bookmarks.hpp"
 #include "renderer/scene/camera.hpp"
 #include "renderer/scene/light.hpp"
 #include "renderer/scene/scene_file.hpp"
@@ -30,6 +31,8 @@ public:
     std::vector<Light> lights;           ///< named, no name twice
     std::optional<std::size_t> selected; ///< of `lights`
     std::string scene_name;
+    std::vector<NamedCamera> scene_cameras; ///< of the scene's file
+    Bookmarks bookmarks;
 
     /// Begins anew, without anything to undo. Lights without a name are given theirs; throws Error(usage) for names
     /// that name_lights() refuses, and changes nothing then.

@@ -56,10 +56,13 @@ Viewer::Viewer(Window& window, Engine& engine, const ViewerStart& start)
 {
     model_.reset(start.frame.settings, start.frame.camera, start.frame.lights);
     model_.scene_name = start.scene;
+    model_.scene_cameras = start.scene_cameras;
+    model_.bookmarks = start.bookmarks;
     facts_.device = engine.device().report().name;
     facts_.is_cpu = engine.device().report().is_cpu;
     panels_.keys = keys_.help();
     panels_.message = start.message;
+    panels_.settings_file = start.settings_file;
     window.set_title("Atrium: " + start.scene);
 }
 
@@ -202,6 +205,7 @@ void Viewer::draw_interface(uvec2 pixels)
         facts_.heaps.push_back({heap.device_local, heap.bytes, heap.budget});
     panels_.scale = gui_.scale();
     if (show_gui_) gui::draw_panels(model_, facts_, panels_);
+    if (std::exchange(panels_.frame, false)) frame_selection(pixels);
     if (const auto file = std::exchange(panels_.save_costs, std::nullopt)) write_costs(*file);
 }
 

@@ -31,6 +31,9 @@ private:
 struct ViewerStart {
     FrameRequest frame;
     std::string scene; ///< its name
+    std::vector<gui::NamedCamera> scene_cameras;
+    gui::Bookmarks bookmarks;
+    std::string settings_file;
     KeyBindings keys;
     std::string message;     ///< shown until it is put away
     bool continuous = false; ///< draw also when nothing changes
@@ -42,6 +45,8 @@ public:
     /// Until the window is closed.
     void run();
     [[nodiscard]] const Camera& camera() const { return model_.camera; }
+    [[nodiscard]] const gui::Bookmarks& bookmarks() const { return model_.bookmarks; }
+    [[nodiscard]] const std::string& settings_file() const { return panels_.settings_file; }
 
 private:
     /// `on_handle`: the mouse is busy with a light.

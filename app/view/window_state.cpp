@@ -20,6 +20,22 @@ int whole(const TomlReader& reader, const char* key, int otherwise)
     return static_cast<int>(reader.number(key, screen_range).value_or(static_cast<float>(otherwise)));
 }
 
+Camera read_camera(const TomlReader& reader)
+{
+    Camera camera;
+    camera.eye = reader.vector("eye", world_range).value_or(camera.eye);
+    camera.target = reader.vector("target", world_range).value_or(camera.target);
+    camera.fov = reader.number("fov", {1, 170}).value_or(camera.fov);
+    check_camera(camera, ExitCode::input, reader.where());
+    return camera;
+}
+
+std::string camera_toml(const Camera& camera)
+{
+    const auto vector = [](const vec3& v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); };
+    return fmt::format("eye = {}\ntarget = {}\nfov = {}\n", vector(camera.eye), vector(camera.target), camera.fov);
+}
+
 } // namespace
 
 std::filesystem::path user_file(const std::string& name)
@@ -35,17 +51,20 @@ std::optional<WindowState> read_window_state(const std::filesystem::path& file)
     if (file.empty() || !std::filesystem::exists(file)) return std::nullopt;
     try {
         const toml::table table = parse_toml(file);
-        const TomlReader reader(file, table, "the window's state",
-                                {"x", "y", "width", "height", "maximised", "scene", "eye", "target", "fov"});
+        const TomlReader reader(
+            file, table, "the window's state",
+            {"x", "y", "width", "height", "maximised", "scene", "eye", "target", "fov", "settings_file", "bookmark"});
         WindowState s;
         s.place.position = {whole(reader, "x", -1), whole(reader, "y", -1)};
         s.place.size = {whole(reader, "width", s.place.size.x), whole(reader, "height", s.place.size.y)};
         s.place.maximised = reader.on_off("maximised").value_or(false);
         s.scene = reader.text("scene").value_or("");
-        s.camera.eye = reader.vector("eye", world_range).value_or(s.camera.eye);
-        s.camera.target = reader.vector("target", world_range).value_or(s.camera.target);
-        s.camera.fov = reader.number("fov", {1, 170}).value_or(s.camera.fov);
-        check_camera(s.camera, ExitCode::input, file.string());
+        s.camera = read_camera(reader);
+        s.settings_file = reader.text("settings_file").value_or(s.settings_file);
+        for (const toml::table* bookmark : reader.tables("bookmark")) {
+            const TomlReader in(file, *bookmark, "a bookmark", {"scene", "name", "eye", "target", "fov"});
+            s.bookmarks[in.required_text("scene")].emplace_back(in.required_text("name"), read_camera(in));
+        }
         return s;
     } catch (const Error& error) {
         log_info(error.text());
@@ -56,11 +75,16 @@ std::optional<WindowState> read_window_state(const std::filesystem::path& file)
 void write_window_state(const std::filesystem::path& file, const WindowState& s)
 {
     if (file.empty()) return;
-    const auto vector = [](const vec3& v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); };
-    const std::string text = fmt::format(
-        "x = {}\ny = {}\nwidth = {}\nheight = {}\nmaximised = {}\nscene = {}\neye = {}\ntarget = {}\nfov = {}\n",
-        s.place.position.x, s.place.position.y, s.place.size.x, s.place.size.y, s.place.maximised,
-        toml_string(s.scene.string()), vector(s.camera.eye), vector(s.camera.target), s.camera.fov);
+    std::string text =
+        fmt::format("x = {}\ny = {}\nwidth = {}\nheight = {}\nmaximised = {}\nsettings_file = {}\nscene = {}\n{}",
+                    s.place.position.x, s.place.position.y, s.place.size.x, s.place.size.y, s.place.maximised,
+                    toml_string(s.settings_file), toml_string(s.scene.string()), camera_toml(s.camera));
+    for (const auto& [scene, bookmarks] : s.bookmarks) {
+        for (const auto& [name, camera] : bookmarks) {
+            text += fmt::format("\n[[bookmark]]\nscene = {}\nname = {}\n{}", toml_string(scene), toml_string(name),
+                                camera_toml(camera));
+        }
+    }
     try {
         std::error_code ignored; // writing tells
         std::filesystem::create_directories(file.parent_path(), ignored);

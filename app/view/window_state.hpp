@@ -1,10 +1,13 @@
 #pragma once
-// What a window remembers from one run to the next: where it was, and what it last looked at.
+// What a window remembers from one run to the next: where it was, what it last looked at, and
+// what the user keeps.
 
+#include "app/gui/bookmarks.hpp"
 #include "app/view/window.hpp"
 #include "renderer/scene/camera.hpp"
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -14,6 +17,8 @@ struct WindowState {
     WindowPlace place;
     std::filesystem::path scene; ///< absolute; empty: none yet
     Camera camera;               ///< in it
+    std::string settings_file = "settings.toml";
+    std::map<std::string, gui::Bookmarks> bookmarks; ///< by the absolute path of the scene
     bool operator==(const WindowState&) const = default;
 };
 

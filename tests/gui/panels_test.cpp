@@ -38,8 +38,10 @@ void fill(ViewModel& model, PanelState& state)
     for (const LightType type : {LightType::sun, LightType::spot, LightType::point, LightType::rect})
         model.add_light(type, vec3(1));
     for (int i = 0; i < 20; ++i) model.duplicate_selected();
+    model.scene_cameras = {{"hero", {}}, {"a camera of a name that is longer than the panel is wide", {}}};
+    for (int i = 0; i < 20; ++i) EXPECT_EQ(add_bookmark(model.bookmarks, "", Camera{}), std::nullopt);
     for (int i = 0; i < 40; ++i)
-        state.keys.push_back({"Ctrl + Shift + drag", "move the selected light along the view"});
+        state.keys.push_back({"Ctrl + Shift + drag", "move the selected light along the view", "move"});
 }
 
 struct At {
@@ -67,6 +69,7 @@ TEST_P(Sizes, every_tab_fits)
         for (const Tab tab : all_tabs) {
             for (std::size_t selected = 0; selected < 4; ++selected) { // each type of light
                 if (busy) model.selected = selected;
+                if (busy) state.camera = selected;
                 state.show = tab;
                 state.headings = Headings::open;
                 for (int frame = 0; frame < 4; ++frame) gui.frame(draw, false);

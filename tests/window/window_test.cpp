@@ -30,6 +30,12 @@ Image8 scene_part(const Image8& whole)
     return out;
 }
 
+std::string bytes_of(const fs::path& file)
+{
+    std::ifstream in(file, std::ios::binary);
+    return std::string((std::istreambuf_iterator<char>(in)), {});
+}
+
 /// One program in one window for all of the tests: it takes a while to start.
 class Viewed : public ::testing::Test {
 protected:
@@ -158,6 +164,25 @@ TEST_F(Viewed, the_selected_light_follows_ctrl_and_drag)
     EXPECT_EQ(mean_difference(start, scene()), 0); // the view has not turned with it
 }
 
+TEST_F(Viewed, bookmarks_are_kept_and_gone_to)
+{
+    desktop->click(window, {174, 140}); // the tab of the camera
+    ASSERT_TRUE(settle());
+    const ivec2 field{158, 342}, hero{70, 375}, fountain{70, 395}, bookmark{70, 495}; // lines of the list
+    const Image8 start = scene();
+    EXPECT_GT(change([&] { desktop->click(window, fountain); }), 3);
+    const Image8 there = scene();
+    desktop->click(window, field);
+    desktop->tap("b");
+    desktop->tap("Return");
+    ASSERT_TRUE(settle());
+    EXPECT_GT(change([&] { desktop->click(window, hero); }), 3);
+    EXPECT_EQ(mean_difference(start, scene()), 0);
+    EXPECT_GT(change([&] { desktop->click(window, bookmark); }), 3);
+    EXPECT_EQ(mean_difference(there, scene()), 0);
+    EXPECT_GT(change([&] { desktop->click(window, hero); }), 3);
+}
+
 TEST_F(Viewed, a_light_s_mark_is_clicked_and_dragged)
 {
     const ivec2 mark{744, 281}, beside{700, 330};
@@ -183,11 +208,7 @@ TEST_F(Viewed, a_screenshot_is_drawn_again_to_the_byte)
                                 (folder / "courtyard" / "courtyard.toml").string() + " --config " + shot.string() +
                                 " -o " + again.string() + " --quiet";
     ASSERT_EQ(std::system(command.c_str()), 0);
-    const auto bytes = [](const fs::path& file) {
-        std::ifstream in(file, std::ios::binary);
-        return std::string((std::istreambuf_iterator<char>(in)), {});
-    };
-    EXPECT_TRUE(bytes(shot) == bytes(again));
+    EXPECT_TRUE(bytes_of(shot) == bytes_of(again));
     ASSERT_TRUE(settle());
 }
 
@@ -305,9 +326,7 @@ TEST_F(Viewed, writes_what_frames_cost)
     click({52, 156});  // its message, of one
     click({165, 345}); // save as trace
     for (const char* name : {"atrium.0000.costs.json", "atrium.0000.trace.json"}) {
-        std::ifstream file(folder / name);
-        const std::string text((std::istreambuf_iterator<char>(file)), {});
-        EXPECT_NE(text.find("gbuffer"), std::string::npos) << name;
+        EXPECT_NE(bytes_of(folder / name).find("gbuffer"), std::string::npos) << name;
     }
 }
 
@@ -318,6 +337,7 @@ TEST_F(Viewed, z_ends_cleanly_and_comes_back_where_it_was)
     const Image8 before = scene();
     desktop->close(window);
     ASSERT_EQ(program->wait(20s), std::optional(0)); // 5: validation had something to say
+    EXPECT_NE(bytes_of(folder / "atrium" / "window.toml").find("name = \"b\""), std::string::npos); // the bookmark
     start({"--set", "ao.method=gtao"});
     desktop->tap("F1");
     ASSERT_TRUE(settle());

@@ -1,0 +1,25 @@
+#pragma once
+// What the tabs share: text, buttons, lists.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace atrium::gui {
+
+/// Text that is broken at the panel's edge.
+void wrapped(const std::string& text);
+
+/// Of the item before, while the mouse is on it.
+void tooltip(const char* text);
+
+/// A button beside the one before, or under it where the line is full.
+bool flowing_button(const char* label, bool first);
+
+/// A box as high as its lines, up to eight, of which one can be selected; `none` stands in it where there are none. A
+/// line too long is cut, and whole in its tooltip. True when a line was clicked.
+bool draw_list(const char* id, const std::vector<std::string>& lines, std::optional<std::size_t>& selected,
+               const char* none);
+
+} // namespace atrium::gui
