@@ -305,7 +305,7 @@ TEST_F(Viewed, flies_while_keys_are_held)
     EXPECT_GT(dragged, 3);
     EXPECT_GT(mean_difference(start, scene()), 3);
     EXPECT_GT(change([] { desktop->tap("Home"); }), 3);
-    EXPECT_EQ(change([] { desktop->tap("Home"); }), 0);
+    EXPECT_LT(change([] { desktop->tap("Home"); }), 0.01); // there already, but for rounding
 }
 
 TEST_F(Viewed, a_key_that_is_only_tapped_moves_too)
