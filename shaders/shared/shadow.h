@@ -59,7 +59,7 @@ SHARED_FUNCTION uint samples_in_set(uint set, uint blocker_samples, uint samples
 {
     if (set == set_search) return blocker_samples;
     if (set == set_search_narrow) return 3u * blocker_samples;
-    if (set == set_filter_narrow) return 3u * samples;
+    if (set == set_filter_narrow) return 5u * samples / 2u;
     uint fewer = set == set_filter_tiny ? samples / 4u : set == set_filter_wide ? 2u * samples / 3u : samples;
     return fewer < 4u ? 4u : fewer;
 }

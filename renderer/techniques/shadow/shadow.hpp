@@ -53,7 +53,7 @@ void describe(V& v, ShadowSettings& s)
       Cpu{12});
     v("blur", s.blur,
       "pcss: where a penumbra is wide in the picture, do with two thirds of the comparisons and take the noise out "
-      "with 4 x 4 pixels; where it is narrow, take three times as many");
+      "with 4 x 4 pixels; where it is narrow, take more");
     v("softness", s.softness, "pcss and reference: multiplies the size of every light", Range{0, 10}, "");
     v("radius", s.radius, "pcf: of the disc", Range{0, 64}, "texels");
     v("bias_normal", s.bias_normal, "Moves the shaded point off its surface", Range{0, 8}, "texels");
