@@ -1,9 +1,12 @@
 // `atrium view`: the window.
 
+#include "app/child_process.hpp"
 #include "app/commands.hpp"
 #include "app/scene_input.hpp"
 #include "app/view/viewer.hpp"
 #include "app/view/window_state.hpp"
+#include "renderer/core/error.hpp"
+#include "shaders/sources.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -16,10 +19,24 @@ struct Options {
     SceneOptions scene;
     FrameOptions frame;
     bool continuous = false;
+    std::filesystem::path shaders;
 };
+
+/// The sources that are watched: those asked for, or those beside a program that still stands in its build tree.
+std::filesystem::path shader_folder(const std::filesystem::path& wanted)
+{
+    const bool built_here = this_program().parent_path() == shaders::program_folder();
+    if (wanted.empty()) return built_here ? shaders::source_folder() : "";
+    if (!std::filesystem::is_directory(wanted)) {
+        throw Error(ExitCode::usage, "no folder of shaders is there", "--shaders " + wanted.string(),
+                    "there is no such folder", "give the folder that has lib, shared and techniques in it");
+    }
+    return std::filesystem::canonical(wanted);
+}
 
 int run(const Options& o)
 {
+    const std::filesystem::path shaders = shader_folder(o.shaders);
     const SceneInput scene = read_scene_input(o.scene, o.frame);
     const SettingChain chain(o.frame, scene);
     FrameRequest request = make_request(o.frame, scene, chain);
@@ -35,7 +52,7 @@ int run(const Options& o)
     Engine engine(options);
     request.settings = chain.apply(engine.device().report().is_cpu);
     engine.load(scene.description());
-    Viewer viewer(window, engine, request, o.scene.scene.filename().string(), o.continuous);
+    Viewer viewer(window, engine, request, o.scene.scene.filename().string(), o.continuous, shaders);
     viewer.run();
     write_window_state(state_file, {window.place(), path, viewer.camera()});
     return verdict(engine);
@@ -50,6 +67,8 @@ Run add_view_command(CLI::App& app)
     add_scene_options(*command, o->scene);
     add_frame_options(*command, o->frame);
     command->add_flag("--continuous", o->continuous, "draw frame after frame, also when nothing changes");
+    command->add_option("--shaders", o->shaders,
+                        "compile the shaders of this folder again when they change (in a build tree: its own)");
     command->footer("Example:\n  atrium view out/courtyard/courtyard.toml --camera hero");
     return [o] { return run(*o); };
 }

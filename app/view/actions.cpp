@@ -25,6 +25,7 @@ constexpr std::array bindings{
     Binding{Action::ao_method, GLFW_KEY_O, 0, "O", "next method of ambient occlusion"},
     Binding{Action::normal_mapping, GLFW_KEY_N, 0, "N", "normal mapping on and off"},
     Binding{Action::gui, GLFW_KEY_F1, 0, "F1", "show and hide the panels"},
+    Binding{Action::shaders, GLFW_KEY_F5, 0, "F5", "compile the shaders again"},
     Binding{Action::full_screen, GLFW_KEY_F11, 0, "F11", "full screen"},
     Binding{Action::screenshot, GLFW_KEY_F12, 0, "F12", "write a screenshot, without panels"},
     Binding{Action::undo, GLFW_KEY_Z, GLFW_MOD_CONTROL, "Ctrl+Z", "undo"},

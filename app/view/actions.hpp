@@ -11,6 +11,7 @@ enum class Action : std::uint8_t {
     none,
     gui,
     full_screen,
+    shaders,
     screenshot,
     undo,
     redo,

@@ -6,8 +6,10 @@
 #include "app/gui/panels.hpp"
 #include "app/gui/view_model.hpp"
 #include "app/view/gui.hpp"
+#include "app/view/shader_reload.hpp"
 
 #include <chrono>
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -28,7 +30,9 @@ private:
 
 class Viewer {
 public:
-    Viewer(Window& window, Engine& engine, const FrameRequest& start, const std::string& scene, bool continuous);
+    /// `shaders`: the folder of sources that are compiled again when they change; empty: none.
+    Viewer(Window& window, Engine& engine, const FrameRequest& start, const std::string& scene, bool continuous,
+           const std::filesystem::path& shaders);
     /// Until the window is closed.
     void run();
     [[nodiscard]] const Camera& camera() const { return model_.camera; }
@@ -58,6 +62,7 @@ private:
     gui::FrameFacts facts_;
     gui::FlyCamera flight_;
     gui::LightHandles handles_;
+    ShaderReload reload_;
     FrameRequest request_;
     MovingScale moving_scale_;
     bool continuous_, show_gui_ = true;
