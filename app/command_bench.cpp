@@ -98,7 +98,7 @@ void bench_load(Engine& engine, const SceneInput& scene, const std::filesystem::
     const std::string converter = (this_program().parent_path() / "assetconv").string();
     for (int run = 0; run < 3; ++run) {
         const auto start = std::chrono::steady_clock::now();
-        if (const int code = run_child({converter, "parse", source.string(), "--quiet"}); code != 0) {
+        if (const int code = ChildProcess({converter, "parse", source.string(), "--quiet"}).wait(); code != 0) {
             throw Error(ExitCode::input, fmt::format("{} could not be parsed", source.string()), "--source",
                         fmt::format("assetconv ended with {}", code), "");
         }

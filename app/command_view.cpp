@@ -1,11 +1,13 @@
 // `atrium view`: the window.
 
+#include "app/child_process.hpp"
 #include "app/commands.hpp"
 #include "app/scene_input.hpp"
 #include "app/view/viewer.hpp"
 #include "app/view/window_state.hpp"
 #include "renderer/core/error.hpp"
 #include "renderer/core/log.hpp"
+#include "shaders/sources.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -19,6 +21,7 @@ struct Options {
     SceneOptions scene;
     FrameOptions frame;
     bool continuous = false;
+    std::filesystem::path shaders;
 };
 
 /// Binds what the user's file of keys says, if there is one, and makes a message of its mistakes.
@@ -32,6 +35,18 @@ void read_keys(ViewerStart& start)
     if (errors.size() > 1) start.message += fmt::format("\nand {} more, told in the terminal", errors.size() - 1);
 }
 
+/// The sources that are watched: those asked for, or those beside a program that still stands in its build tree.
+std::filesystem::path shader_folder(const std::filesystem::path& wanted)
+{
+    const bool built_here = this_program().parent_path() == shaders::program_folder();
+    if (wanted.empty()) return built_here ? shaders::source_folder() : "";
+    if (!std::filesystem::is_directory(wanted)) {
+        throw Error(ExitCode::usage, "no folder of shaders is there", "--shaders " + wanted.string(),
+                    "there is no such folder", "give the folder that has lib, shared and techniques in it");
+    }
+    return std::filesystem::canonical(wanted);
+}
+
 int run(const Options& o)
 {
     const SceneInput scene = read_scene_input(o.scene, o.frame);
@@ -40,6 +55,7 @@ int run(const Options& o)
     start.frame = make_request(o.frame, scene, chain);
     start.scene = o.scene.scene.filename().string();
     start.continuous = o.continuous;
+    start.shaders = shader_folder(o.shaders);
     read_keys(start);
 
     const std::filesystem::path state_file = user_file("window.toml"), path = std::filesystem::absolute(o.scene.scene);
@@ -76,6 +92,8 @@ Run add_view_command(CLI::App& app)
     add_scene_options(*command, o->scene);
     add_frame_options(*command, o->frame);
     command->add_flag("--continuous", o->continuous, "draw frame after frame, also when nothing changes");
+    command->add_option("--shaders", o->shaders,
+                        "compile the shaders of this folder again when they change (in a build tree: its own)");
     command->footer("Example:\n  atrium view out/courtyard/courtyard.toml --camera hero");
     return [o] { return run(*o); };
 }

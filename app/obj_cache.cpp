@@ -74,8 +74,9 @@ std::filesystem::path bake_to_cache(const std::filesystem::path& obj, double sca
     }
     std::filesystem::create_directories(target.parent_path());
     log_info(fmt::format("baking {} to {}", obj.string(), target.string()));
-    const int code = run_child({converter.string(), "bake", absolute.string(), "-o", target.string(), "--scale",
-                                fmt::format("{}", scale), "--up", up});
+    const int code = ChildProcess({converter.string(), "bake", absolute.string(), "-o", target.string(), "--scale",
+                                   fmt::format("{}", scale), "--up", up})
+                         .wait();
     if (code != 0) {
         throw Error(code > 0 && code <= 5 ? static_cast<ExitCode>(code) : ExitCode::input,
                     fmt::format("{} could not be baked", obj.string()), converter.string(),

@@ -205,9 +205,20 @@ ShowResult Engine::show(const UiDraws& ui)
 
 void Engine::unload()
 {
+    forget_frames();
+    state_->scene.reset();
+}
+
+void Engine::replace_shader(const std::string& name, std::span<const std::uint32_t> code)
+{
+    state_->pipelines.replace(name, code);
+    forget_frames();
+}
+
+void Engine::forget_frames()
+{
     state_->seen.reset();
     state_->shadow_maps.forget();
-    state_->scene.reset();
 }
 
 void Engine::set_frame_constants(const FrameRequest& request)
@@ -243,8 +254,7 @@ FrameResult Engine::render(const FrameRequest& request)
     try {
         return draw(request);
     } catch (...) {
-        state_->seen.reset(); // a frame that was not drawn has filled no memory
-        state_->shadow_maps.forget();
+        forget_frames(); // one that was not drawn has filled no memory
         throw;
     }
 }

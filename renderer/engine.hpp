@@ -76,6 +76,9 @@ public:
     /// Replaces the scene.
     void load(const SceneDescription& scene);
     void unload();
+    /// Other SPIR-V for a shader, from the next frame on. Throws Error, and leaves all as it was, where it does not fit
+    /// what the program was built for.
+    void replace_shader(const std::string& name, std::span<const std::uint32_t> code);
     /// Draws one frame and waits for it.
     [[nodiscard]] FrameResult render(const FrameRequest& request);
 
@@ -96,6 +99,7 @@ public:
     [[nodiscard]] gpu::Descriptors& descriptors();
 
 private:
+    void forget_frames(); ///< what outlives a frame on the device
     [[nodiscard]] FrameResult draw(const FrameRequest& request);
     struct State;
     std::unique_ptr<State> state_;

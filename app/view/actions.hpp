@@ -31,6 +31,7 @@ enum class Action : std::uint8_t {
     compare,
     gui,
     help,
+    shaders,
     full_screen,
     screenshot,
     undo,

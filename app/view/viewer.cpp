@@ -2,6 +2,7 @@
 
 #include "app/config.hpp"
 #include "app/gui/framing.hpp"
+#include "app/gui/notice.hpp"
 #include "app/view/comparison.hpp"
 #include "app/view/numbered_file.hpp"
 #include "renderer/core/atomic_file.hpp"
@@ -23,6 +24,7 @@ using Clock = std::chrono::steady_clock;
 constexpr double moving_goal_ms = 60; ///< a frame while something moves
 constexpr int settle_frames = 3;      ///< of the interface after an event: hovers and layouts take two
 constexpr double idle_wait = 0.5;     ///< s, between looks at what has no events
+constexpr double job_wait = 0.05;     ///< s, the same while there is work beside the window
 
 double seconds_since(Clock::time_point start)
 {
@@ -52,7 +54,7 @@ float MovingScale::choose(double goal_ms) const
 
 Viewer::Viewer(Window& window, Engine& engine, const ViewerStart& start)
     : window_(window), engine_(engine), gui_(window, engine), flight_(engine.scene().bounds().diagonal()),
-      keys_(start.keys), request_(start.frame), continuous_(start.continuous)
+      keys_(start.keys), reload_(engine, start.shaders), request_(start.frame), continuous_(start.continuous)
 {
     model_.reset(start.frame.settings, start.frame.camera, start.frame.lights);
     model_.scene_name = start.scene;
@@ -73,7 +75,12 @@ void Viewer::run()
     bool moving = false, seen = false;
     while (!window_.closed()) {
         const bool busy = continuous_ || moving || unsettled > 0 || drawn_share_ < 1;
-        if (window_.poll(busy ? 0 : idle_wait)) unsettled = settle_frames;
+        const double wait = reload_.busy() ? job_wait : idle_wait;
+        if (window_.poll(busy ? 0 : wait)) unsettled = settle_frames;
+        if (reload_.update()) {
+            drawn_share_ = 0; // the picture is out of date, whatever it shows
+            unsettled = settle_frames;
+        }
         const double passed = std::min(seconds_since(last), 0.1); // after a wait nothing has moved for so long
         last = Clock::now();
         const uvec2 pixels = engine_.window_size(window_.pixels(), gpu::PresentMode::vsync);
@@ -160,6 +167,9 @@ void Viewer::act(Action action, uvec2 pixels)
     case Action::full_screen:
         window_.toggle_full_screen();
         break;
+    case Action::shaders:
+        reload_.compile_all();
+        break;
     case Action::screenshot:
         write_screenshot(pixels);
         break;
@@ -206,6 +216,8 @@ void Viewer::draw_interface(uvec2 pixels)
     panels_.scale = gui_.scale();
     if (show_gui_) gui::draw_panels(model_, facts_, panels_);
     if (std::exchange(panels_.frame, false)) frame_selection(pixels);
+    if (!reload_.problem().empty())
+        gui::draw_notice(gui::Corner::bottom_right, reload_.problem(), nullptr, gui_.scale());
     if (const auto file = std::exchange(panels_.save_costs, std::nullopt)) write_costs(*file);
 }
 

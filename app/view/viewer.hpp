@@ -7,8 +7,10 @@
 #include "app/gui/view_model.hpp"
 #include "app/view/gui.hpp"
 #include "app/view/key_bindings.hpp"
+#include "app/view/shader_reload.hpp"
 
 #include <chrono>
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -35,8 +37,9 @@ struct ViewerStart {
     gui::Bookmarks bookmarks;
     std::string settings_file;
     KeyBindings keys;
-    std::string message;     ///< shown until it is put away
-    bool continuous = false; ///< draw also when nothing changes
+    std::string message;           ///< shown until it is put away
+    bool continuous = false;       ///< draw also when nothing changes
+    std::filesystem::path shaders; ///< sources that are compiled again when they change; empty: none
 };
 
 class Viewer {
@@ -80,6 +83,7 @@ private:
     gui::FlyCamera flight_;
     gui::LightHandles handles_;
     KeyBindings keys_;
+    ShaderReload reload_;
     FrameRequest request_;
     MovingScale moving_scale_;
     bool continuous_, show_gui_ = true;

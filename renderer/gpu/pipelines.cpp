@@ -5,6 +5,7 @@
 #include "renderer/core/jobs.hpp"
 #include "renderer/core/log.hpp"
 #include "renderer/gpu/result.hpp"
+#include "renderer/gpu/shader_interface.hpp"
 
 #include <fmt/format.h>
 
@@ -12,6 +13,7 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <utility>
 
 namespace atrium::gpu {
 namespace {
@@ -67,10 +69,25 @@ Pipelines::~Pipelines()
     } catch (const std::exception& e) {
         log_verbose(fmt::format("pipeline cache not kept: {}", e.what())); // Slower next time, nothing worse.
     }
-    for (const auto& [desc, pipeline] : graphics_) vkDestroyPipeline(device_.handle(), pipeline, nullptr);
-    for (const auto& [desc, pipeline] : compute_) vkDestroyPipeline(device_.handle(), pipeline, nullptr);
+    for (const auto& [desc, pipeline] : graphics_) destroy(pipeline);
+    for (const auto& [desc, pipeline] : compute_) destroy(pipeline);
     for (const auto& [name, shader] : modules_) vkDestroyShaderModule(device_.handle(), shader, nullptr);
     vkDestroyPipelineCache(device_.handle(), cache_, nullptr);
+}
+
+void Pipelines::destroy(VkPipeline pipeline) const
+{
+    vkDestroyPipeline(device_.handle(), pipeline, nullptr);
+}
+
+VkShaderModule Pipelines::create_module(const std::string& name, std::span<const std::uint32_t> code) const
+{
+    VkShaderModuleCreateInfo create{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
+    create.codeSize = code.size_bytes();
+    create.pCode = code.data();
+    VkShaderModule shader = VK_NULL_HANDLE;
+    check(vkCreateShaderModule(device_.handle(), &create, nullptr, &shader), fmt::format("create shader {}", name));
+    return shader;
 }
 
 VkShaderModule Pipelines::module(const std::string& name)
@@ -82,13 +99,34 @@ VkShaderModule Pipelines::module(const std::string& name)
         throw Error(ExitCode::internal, fmt::format("no shader is called {}", name), "",
                     "it is not in shaders/CMakeLists.txt", "add it to the list there");
     }
-    VkShaderModuleCreateInfo create{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
-    create.codeSize = code.size_bytes();
-    create.pCode = code.data();
-    VkShaderModule shader = VK_NULL_HANDLE;
-    check(vkCreateShaderModule(device_.handle(), &create, nullptr, &shader), fmt::format("create shader {}", name));
-    modules_.emplace(name, shader);
-    return shader;
+    return modules_.emplace(name, create_module(name, code)).first->second;
+}
+
+void Pipelines::replace(const std::string& shader, std::span<const std::uint32_t> code)
+{
+    if (const auto conflict = interface_conflict(find_interface(shaders_(shader)), find_interface(code))) {
+        throw Error(ExitCode::input, fmt::format("{} no longer fits the program", shader), *conflict,
+                    "the program was built for other inputs and outputs of this shader",
+                    "take that back, or build the program again");
+    }
+    const VkShaderModule before = module(shader);
+    modules_[shader] = create_module(shader, code);
+    Made<GraphicsPipelineDesc> graphics;
+    Made<ComputePipelineDesc> compute;
+    try {
+        for (const auto& [desc, old] : graphics_)
+            if (desc.vertex == shader || desc.fragment == shader) graphics[desc] = create(desc);
+        for (const auto& [desc, old] : compute_)
+            if (desc.shader == shader) compute[desc] = create(desc);
+    } catch (...) {
+        for (const auto& [desc, pipeline] : graphics) destroy(pipeline);
+        for (const auto& [desc, pipeline] : compute) destroy(pipeline);
+        vkDestroyShaderModule(device_.handle(), std::exchange(modules_[shader], before), nullptr);
+        throw;
+    }
+    for (const auto& [desc, pipeline] : graphics) destroy(std::exchange(graphics_[desc], pipeline));
+    for (const auto& [desc, pipeline] : compute) destroy(std::exchange(compute_[desc], pipeline));
+    vkDestroyShaderModule(device_.handle(), before, nullptr);
 }
 
 void Pipelines::prepare(std::span<const GraphicsPipelineDesc> graphics, std::span<const ComputePipelineDesc> compute)

@@ -33,7 +33,7 @@ struct GraphicsPipelineDesc {
     Blend blend = Blend::off;
     DepthTest depth_test = DepthTest::off;
     bool depth_write = false;
-    bool lines = false; ///< edges of triangles only; OptionalFeatures::lines
+    bool lines = false;                   ///< edges of triangles only; OptionalFeatures::lines
     std::vector<std::uint32_t> constants; ///< specialisation constants 0, 1, … of both stages
     std::vector<Format> colors;           ///< filled in by the graph
     Format depth = Format::none;          ///< filled in by the graph
@@ -62,12 +62,19 @@ public:
     void prepare(std::span<const GraphicsPipelineDesc> graphics, std::span<const ComputePipelineDesc> compute);
     [[nodiscard]] VkPipeline get(const GraphicsPipelineDesc& desc);
     [[nodiscard]] VkPipeline get(const ComputePipelineDesc& desc);
+    /// Puts other code in the place of a shader's, also in the pipelines that exist. No frame is in flight. Throws
+    /// Error, and changes nothing, where the code wants other inputs than what is embedded, or the driver refuses it.
+    void replace(const std::string& shader, std::span<const std::uint32_t> code);
     [[nodiscard]] std::size_t count() const { return graphics_.size() + compute_.size(); }
 
 private:
+    template <class Desc>
+    using Made = std::map<Desc, VkPipeline>;
+    [[nodiscard]] VkShaderModule create_module(const std::string& name, std::span<const std::uint32_t> code) const;
     [[nodiscard]] VkShaderModule module(const std::string& name);
     [[nodiscard]] VkPipeline create(const GraphicsPipelineDesc& desc);
     [[nodiscard]] VkPipeline create(const ComputePipelineDesc& desc);
+    void destroy(VkPipeline pipeline) const;
 
     const Device& device_;
     const Descriptors& descriptors_;
@@ -77,8 +84,8 @@ private:
     std::size_t cache_size_at_start_ = 0;
     std::mutex mutex_;
     std::map<std::string, VkShaderModule> modules_;
-    std::map<GraphicsPipelineDesc, VkPipeline> graphics_;
-    std::map<ComputePipelineDesc, VkPipeline> compute_;
+    Made<GraphicsPipelineDesc> graphics_;
+    Made<ComputePipelineDesc> compute_;
 };
 
 } // namespace atrium::gpu

@@ -29,7 +29,7 @@ testing::Environment* const g_ending = testing::AddGlobalTestEnvironment(new End
 
 void run(const std::vector<std::string>& command)
 {
-    if (const int code = app::run_child(command); code != 0)
+    if (const int code = app::ChildProcess(command).wait(); code != 0)
         throw std::runtime_error(command[0] + " " + command[1] + " failed");
 }
 
