@@ -130,7 +130,7 @@ struct Engine::State {
     Ui ui;
     std::unique_ptr<gpu::Swapchain> swapchain; ///< where there is a window
     bool swapchain_stale = true;
-    gpu::PresentMode present_mode = gpu::PresentMode::vsync;
+    gpu::PresentMode present_mode = gpu::PresentMode::on;
     gpu::Buffer constants;
     gpu::Buffer ltc; ///< the table of area lights
     std::unique_ptr<GpuScene> scene;
@@ -184,6 +184,11 @@ uvec2 Engine::window_size(uvec2 wanted, gpu::PresentMode mode)
         s.present_mode = mode;
     }
     return s.swapchain->size();
+}
+
+bool Engine::has_wanted_mode() const
+{
+    return state_->swapchain->has_wanted_mode();
 }
 
 ShowResult Engine::show(const UiDraws& ui)

@@ -87,6 +87,8 @@ public:
     /// Makes ready for a window of so many pixels. Returns the size that it has, for which an interface is to be drawn;
     /// (0, 0): it is minimised, and show() must wait.
     [[nodiscard]] uvec2 window_size(uvec2 wanted, gpu::PresentMode mode);
+    /// Whether the window offers that mode; else it has PresentMode::on.
+    [[nodiscard]] bool has_wanted_mode() const;
     /// Shows the picture kept last under a user interface.
     ShowResult show(const UiDraws& ui);
 

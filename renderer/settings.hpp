@@ -2,6 +2,7 @@
 // All settings: each technique's own struct, under the names users know.
 
 #include "renderer/core/setting.hpp"
+#include "renderer/gpu/present_mode.hpp"
 #include "renderer/techniques/ao/ao.hpp"
 #include "renderer/techniques/aov/aov.hpp"
 #include "renderer/techniques/culling/culling.hpp"
@@ -45,6 +46,7 @@ void describe(V& v, CameraSettings& s)
 
 struct ViewSettings {
     float moving_scale = 0;
+    gpu::PresentMode vsync = gpu::PresentMode::on;
 };
 
 template <class V>
@@ -55,6 +57,9 @@ void describe(V& v, ViewSettings& s)
       "Share of the window's pixels along each side that are drawn while something moves; 0: as the time of a frame "
       "allows",
       Range{0, 1}, "");
+    v("vsync", s.vsync,
+      "Frames wait for the display (on), only those that are not late (adaptive), or none does (off); on where the "
+      "window offers no other");
 }
 
 struct TextureSettings {

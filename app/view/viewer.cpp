@@ -83,7 +83,7 @@ void Viewer::run()
         }
         const double passed = std::min(seconds_since(last), 0.1); // after a wait nothing has moved for so long
         last = Clock::now();
-        const uvec2 pixels = engine_.window_size(window_.pixels(), gpu::PresentMode::vsync);
+        const uvec2 pixels = prepare_window();
         if (pixels.x == 0) continue; // minimised
         if (!busy && unsettled == 0) continue;
 
@@ -102,6 +102,16 @@ void Viewer::run()
         seen = true;
         unsettled = std::max(unsettled - 1, 0);
     }
+}
+
+uvec2 Viewer::prepare_window()
+{
+    const gpu::PresentMode wanted = model_.settings.view.vsync;
+    const uvec2 pixels = engine_.window_size(window_.pixels(), wanted);
+    if (std::exchange(vsync_, wanted) != wanted && !engine_.has_wanted_mode())
+        panels_.message =
+            fmt::format("this window does not offer view.vsync = {}: it is on", model_.list.find("view.vsync")->get());
+    return pixels;
 }
 
 bool Viewer::fly(double seconds, bool on_handle)

@@ -58,6 +58,8 @@ private:
     void drag_light(vec2 pixels, bool along);
     void handle_keys(uvec2 pixels);
     void act(Action action, uvec2 pixels);
+    /// The window's pixels, made ready to be drawn to; tells where it lacks a mode that is wanted.
+    [[nodiscard]] uvec2 prepare_window();
     /// The selected light, or the whole scene, into the middle of the picture.
     void frame_selection(uvec2 pixels);
     void draw_interface(uvec2 pixels);
@@ -86,6 +88,7 @@ private:
     ShaderReload reload_;
     FrameRequest request_;
     MovingScale moving_scale_;
+    gpu::PresentMode vsync_ = gpu::PresentMode::on; ///< that was last asked for
     bool continuous_, show_gui_ = true;
     std::string drawn_;     ///< state_text() of the picture that is kept
     float drawn_share_ = 0; ///< of the window's pixels along each side

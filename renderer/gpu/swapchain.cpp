@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 namespace atrium::gpu {
 namespace {
@@ -27,15 +26,13 @@ std::optional<std::pair<Format, VkColorSpaceKHR>> choose_format(VkPhysicalDevice
     return std::nullopt;
 }
 
-VkPresentModeKHR choose_mode(VkPhysicalDevice device, VkSurfaceKHR surface, PresentMode wanted)
+std::vector<VkPresentModeKHR> offered_modes(VkPhysicalDevice device, VkSurfaceKHR surface)
 {
-    constexpr std::array modes{VK_PRESENT_MODE_FIFO_KHR, VK_PRESENT_MODE_MAILBOX_KHR, VK_PRESENT_MODE_IMMEDIATE_KHR};
     std::uint32_t count = 0;
     check(vkGetPhysicalDeviceSurfacePresentModesKHR(device, surface, &count, nullptr), "list the window's modes");
-    std::vector<VkPresentModeKHR> known(count);
-    check(vkGetPhysicalDeviceSurfacePresentModesKHR(device, surface, &count, known.data()), "list the window's modes");
-    const VkPresentModeKHR mode = modes[static_cast<std::size_t>(wanted)];
-    return std::find(known.begin(), known.end(), mode) != known.end() ? mode : VK_PRESENT_MODE_FIFO_KHR;
+    std::vector<VkPresentModeKHR> modes(count);
+    check(vkGetPhysicalDeviceSurfacePresentModesKHR(device, surface, &count, modes.data()), "list the window's modes");
+    return modes;
 }
 
 /// Results that say that the window changed.
@@ -45,6 +42,26 @@ bool is_stale(VkResult result)
 }
 
 } // namespace
+
+VkPresentModeKHR choose_present_mode(PresentMode wanted, std::span<const VkPresentModeKHR> offered)
+{
+    const auto has = [&](VkPresentModeKHR mode) {
+        return std::find(offered.begin(), offered.end(), mode) != offered.end();
+    };
+    switch (wanted) {
+    case PresentMode::on:
+        break;
+    case PresentMode::adaptive:
+        if (has(VK_PRESENT_MODE_FIFO_RELAXED_KHR)) return VK_PRESENT_MODE_FIFO_RELAXED_KHR;
+        break;
+    case PresentMode::off:
+        for (const VkPresentModeKHR mode : {VK_PRESENT_MODE_IMMEDIATE_KHR, VK_PRESENT_MODE_MAILBOX_KHR}) {
+            if (has(mode)) return mode;
+        }
+        break;
+    }
+    return VK_PRESENT_MODE_FIFO_KHR;
+}
 
 Swapchain::Swapchain(const Instance& instance, const Device& device, const WindowSystem& window)
     : instance_(instance), device_(device), surface_(window.create_surface(instance.handle()))
@@ -113,7 +130,7 @@ bool Swapchain::resize(uvec2 size, PresentMode mode)
     create.imageUsage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
     create.preTransform = can.currentTransform;
     create.compositeAlpha = VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR;
-    create.presentMode = choose_mode(physical, surface_, mode);
+    create.presentMode = choose_present_mode(mode, offered_modes(physical, surface_));
     create.clipped = VK_TRUE;
     create.oldSwapchain = swapchain_;
     VkSwapchainKHR made = VK_NULL_HANDLE;
@@ -132,6 +149,7 @@ bool Swapchain::resize(uvec2 size, PresentMode mode)
     }
     acquired_ = make_semaphore();
     size_ = {extent.width, extent.height};
+    has_wanted_mode_ = mode == PresentMode::on || create.presentMode != VK_PRESENT_MODE_FIFO_KHR;
     return true;
 }
 

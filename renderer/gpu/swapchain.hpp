@@ -2,10 +2,12 @@
 // A window's images, to be drawn into one after the other.
 
 #include "renderer/core/math.hpp"
+#include "renderer/gpu/present_mode.hpp"
 #include "renderer/gpu/resources.hpp"
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,12 +20,8 @@ struct WindowSystem {
     explicit operator bool() const { return static_cast<bool>(create_surface); }
 };
 
-/// How images wait for the display.
-enum class PresentMode : std::uint8_t {
-    vsync,    ///< in turn, one for each of its refreshes
-    mailbox,  ///< the newest at each refresh; vsync where there is none such
-    immediate ///< at once, be it torn; vsync where there is none such
-};
+/// The best of a window's modes for what is wanted; FIFO, which every window has, where it offers none for it.
+[[nodiscard]] VkPresentModeKHR choose_present_mode(PresentMode wanted, std::span<const VkPresentModeKHR> offered);
 
 class Swapchain {
 public:
@@ -36,6 +34,8 @@ public:
     /// New images for a window of so many pixels. False where it has none now (it is minimised).
     bool resize(uvec2 size, PresentMode mode);
     [[nodiscard]] uvec2 size() const { return size_; }
+    /// Whether the window offered what the last resize() wanted; else its mode is PresentMode::on.
+    [[nodiscard]] bool has_wanted_mode() const { return has_wanted_mode_; }
 
     /// An image to draw into, BGRA8 or RGBA8, whose values go to the display as they are (sRGB-encoded). None where the
     /// window has changed: resize() first. Drawing has to wait for `sync.wait` and signal `sync.signal`.
@@ -61,6 +61,7 @@ private:
     /// One per image: presenting is over with a semaphore only when its image comes again.
     std::vector<VkSemaphore> drawn_;
     uvec2 size_{0};
+    bool has_wanted_mode_ = true;
     std::uint32_t current_ = 0;
 };
 

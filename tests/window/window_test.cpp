@@ -249,7 +249,7 @@ TEST_F(Viewed, z_ends_cleanly_and_comes_back_where_it_was)
     desktop->close(window);
     ASSERT_EQ(program->wait(20s), std::optional(0)); // 5: validation had something to say
     EXPECT_NE(bytes_of(folder / "atrium" / "window.toml").find("name = \"b\""), std::string::npos); // the bookmark
-    start({"--set", "ao.method=gtao"});
+    start({"--set", "ao.method=gtao", "--set", "view.vsync=off"});
     desktop->tap("F1");
     ASSERT_TRUE(settle());
     EXPECT_EQ(mean_difference(before, scene()), 0);
