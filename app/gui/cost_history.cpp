@@ -26,16 +26,13 @@ Json complete_event(int thread, const std::string& name, double start_ms, double
 
 void CostHistory::add(FrameCost frame)
 {
-    for (const PassCost& pass : frame.passes) {
-        if (index_of(pass.name) == names_.size()) names_.push_back(pass.name);
+    for (PassCost& pass : frame.passes) {
+        const auto known = std::find(names_.begin(), names_.end(), pass.name);
+        pass.index = static_cast<std::size_t>(known - names_.begin());
+        if (known == names_.end()) names_.push_back(pass.name);
     }
     frames_.push_back(std::move(frame));
     if (frames_.size() > longest) frames_.pop_front();
-}
-
-std::size_t CostHistory::index_of(const std::string& pass) const
-{
-    return static_cast<std::size_t>(std::find(names_.begin(), names_.end(), pass) - names_.begin());
 }
 
 std::string CostHistory::to_json(const std::string& device) const

@@ -13,7 +13,8 @@ struct PassCost {
     std::string name;
     double ms = 0;
     std::uint32_t draws = 0;
-    double start_ms = 0; ///< on the device, from the first pass's start
+    double start_ms = 0;   ///< on the device, from the first pass's start
+    std::size_t index = 0; ///< of its name among all so far: CostHistory::add() tells
 };
 
 struct FrameCost {
@@ -28,11 +29,9 @@ class CostHistory {
 public:
     static constexpr std::size_t longest = 240; ///< frames: then the oldest goes
 
+    /// A pass of one name keeps its index, so that it can have a colour of its own.
     void add(FrameCost frame);
     [[nodiscard]] const std::deque<FrameCost>& frames() const { return frames_; }
-    /// Names of all passes so far. A pass's index stays, so that it can have a colour of its own.
-    [[nodiscard]] const std::vector<std::string>& pass_names() const { return names_; }
-    [[nodiscard]] std::size_t index_of(const std::string& pass) const; ///< pass_names().size(): unknown
 
     /// {"device", "frames": [{"at_ms", "frame_ms", "cpu_ms", "memory_bytes", "passes": [{"name", "gpu_ms",
     /// "gpu_start_ms", "draws"}]}]}
@@ -44,7 +43,7 @@ public:
 
 private:
     std::deque<FrameCost> frames_;
-    std::vector<std::string> names_;
+    std::vector<std::string> names_; ///< of all passes so far
 };
 
 } // namespace atrium::gui

@@ -34,16 +34,15 @@ ImU32 color_of(std::size_t pass)
 }
 
 /// What the passes of one frame took, above each other.
-void draw_stack(const FrameFacts& facts, const FrameCost& frame, ImVec2 foot, float width, float per_ms)
+void draw_stack(const FrameCost& frame, ImVec2 foot, float width, float per_ms)
 {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     float top = foot.y;
-    const auto box = [&](double ms, ImU32 color) {
+    for (const PassCost& pass : frame.passes) {
         const float bottom = top;
-        top -= per_ms * static_cast<float>(ms);
-        draw.AddRectFilled({foot.x, top}, {foot.x + width, bottom}, color);
-    };
-    for (const PassCost& pass : frame.passes) box(pass.ms, color_of(facts.costs.index_of(pass.name)));
+        top -= per_ms * static_cast<float>(pass.ms);
+        draw.AddRectFilled({foot.x, top}, {foot.x + width, bottom}, color_of(pass.index));
+    }
 }
 
 void draw_frame_tip(const FrameCost& frame)
@@ -80,7 +79,7 @@ void draw_history(const FrameFacts& facts, float scale)
     const float width = size.x / static_cast<float>(CostHistory::longest); // the newest stands at the right
     float x = to.x - width * static_cast<float>(frames.size());
     for (const FrameCost& frame : frames) {
-        draw_stack(facts, frame, {x, to.y}, width, 0.95f * size.y / static_cast<float>(top));
+        draw_stack(frame, {x, to.y}, width, 0.95f * size.y / static_cast<float>(top));
         const float mouse = ImGui::GetIO().MousePos.x;
         if (pointed && mouse >= x && mouse < x + width) draw_frame_tip(frame);
         x += width;
@@ -89,7 +88,7 @@ void draw_history(const FrameFacts& facts, float scale)
     ImGui::TextDisabled("%s", fmt::format("{} frames, half of them up to {:.1f} ms", frames.size(), median).c_str());
 }
 
-void draw_passes(const FrameFacts& facts, const FrameCost& last)
+void draw_passes(const FrameCost& last)
 {
     double most = 1e-6;
     for (const PassCost& pass : last.passes) most = std::max(most, pass.ms);
@@ -105,7 +104,7 @@ void draw_passes(const FrameFacts& facts, const FrameCost& last)
         wrapped(pass.name);
         ImGui::TableNextColumn();
         ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, 0}); // else the next cell's text stands lower
-        ImGui::PushStyleColor(ImGuiCol_PlotHistogram, color_of(facts.costs.index_of(pass.name)));
+        ImGui::PushStyleColor(ImGuiCol_PlotHistogram, color_of(pass.index));
         ImGui::ProgressBar(static_cast<float>(pass.ms / most), {-1, ImGui::GetTextLineHeight()},
                            fmt::format("{:.2f}", pass.ms).c_str());
         ImGui::PopStyleColor();
@@ -145,7 +144,7 @@ void draw_cost_tab(const FrameFacts& facts, PanelState& state)
     ImGui::SameLine();
     if (ImGui::Button("save as trace")) state.save_costs = CostFile::trace;
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("For ui.perfetto.dev or chrome://tracing");
-    draw_passes(facts, last);
+    draw_passes(last);
 }
 
 } // namespace atrium::gui

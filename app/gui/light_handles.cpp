@@ -59,8 +59,6 @@ ImU32 color_of(HandleKind kind)
 const char* name_of(HandleKind kind, LightType type)
 {
     switch (kind) {
-    case HandleKind::place:
-        return "move";
     case HandleKind::along_x:
         return "move along x";
     case HandleKind::along_y:
@@ -77,6 +75,8 @@ const char* name_of(HandleKind kind, LightType type)
         return type == LightType::rect ? "width" : "size";
     case HandleKind::extent_up:
         return "height";
+    case HandleKind::place: // the light's mark, with the light's name
+        break;
     }
     return "";
 }
@@ -211,37 +211,41 @@ Light dragged(const Light& light, const Handle& handle, const Projection& view, 
     return out;
 }
 
+void LightHandles::follow(ViewModel& model, const Projection& view, vec2 mouse)
+{
+    const bool down = ImGui::IsMouseDown(ImGuiMouseButton_Left);
+    const bool still_there = held_ && model.selected && *model.selected < model.lights.size() &&
+                             model.lights[*model.selected].name == held_->light.name;
+    if (!down || !still_there) held_.reset();
+    if (!held_) return;
+    const Light wanted = dragged(held_->light, held_->handle, view, mouse - held_->mouse);
+    static_cast<void>(model.set_light(*model.selected, wanted));
+}
+
 bool LightHandles::update(ViewModel& model, float scale)
 {
     const ImGuiIO& io = ImGui::GetIO();
     const Projection view(model.camera, {io.DisplaySize.x, io.DisplaySize.y});
     const vec2 mouse(io.MousePos.x, io.MousePos.y);
+    follow(model, view, mouse);
+    // A drag that began elsewhere turns the view, and with Ctrl moves a light, wherever it comes by.
     const bool pressed = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
     const bool down = ImGui::IsMouseDown(ImGuiMouseButton_Left) || ImGui::IsMouseDown(ImGuiMouseButton_Right);
-    const bool still_there = held_ && model.selected && *model.selected < model.lights.size() &&
-                             model.lights[*model.selected].name == held_->light.name;
-    if (!down || !still_there) held_.reset();
-
-    if (held_)
-        static_cast<void>(
-            model.set_light(*model.selected, dragged(held_->light, held_->handle, view, mouse - held_->mouse)));
-    // A drag that began elsewhere turns the view, and with Ctrl moves a light, wherever it comes by.
     const bool listens = !held_ && !io.WantCaptureMouse && !io.KeyCtrl && (pressed || !down);
-    const auto pointed_at = [&](const vec3& point) {
-        const auto at = view.project(point);
-        return listens && at && glm::distance(*at, mouse) < reach * scale;
-    };
     bool touched = held_.has_value();
+    const auto pointed_at = [&](const vec3& point, const char* name) {
+        const auto at = view.project(point);
+        const bool pointed = listens && at && glm::distance(*at, mouse) < reach * scale;
+        if (pointed) ImGui::SetTooltip("%s", name);
+        touched = touched || pointed;
+        return pointed;
+    };
 
     for (std::size_t i = 0; i < model.lights.size(); ++i) {
         const Light& light = model.lights[i];
         const auto at = view.project(light.position);
         if (!stands_somewhere(light) || !at) continue;
-        if (pointed_at(light.position)) {
-            touched = true;
-            ImGui::SetTooltip("%s", light.name.c_str());
-            if (pressed) model.selected = i;
-        }
+        if (pointed_at(light.position, light.name.c_str()) && pressed) model.selected = i;
         draw_dot(*at, mark_radius * scale, mark_color(light), model.selected == i);
     }
     if (!model.selected || *model.selected >= model.lights.size()) return touched;
@@ -249,12 +253,10 @@ bool LightHandles::update(ViewModel& model, float scale)
     const Light& light = model.lights[*model.selected];
     draw_outline(light, view);
     for (const Handle& handle : handles_of(light, view, scale)) {
-        const bool pointed = pointed_at(handle.at);
+        const bool is_mark = handle.kind == HandleKind::place;
+        const bool pointed = pointed_at(handle.at, is_mark ? light.name.c_str() : name_of(handle.kind, light.type));
         draw_handle(handle, view, scale, pointed || (held_ && held_->handle.kind == handle.kind));
-        if (!pointed) continue;
-        touched = true;
-        if (handle.kind != HandleKind::place) ImGui::SetTooltip("%s", name_of(handle.kind, light.type));
-        if (pressed) held_ = Held{light, handle, mouse};
+        if (pointed && pressed) held_ = Held{light, handle, mouse};
     }
     return touched;
 }

@@ -44,6 +44,8 @@ public:
     [[nodiscard]] bool holds() const { return held_.has_value(); }
 
 private:
+    /// The held handle goes with the mouse, until the button is let go or its light is no more.
+    void follow(ViewModel& model, const Projection& view, vec2 mouse);
     struct Held {
         Light light; ///< as it was when it was taken
         Handle handle;

@@ -1,6 +1,5 @@
 #pragma once
-// What a window remembers from one run to the next: where it was, what it last looked at, and
-// what the user keeps.
+// What a window remembers from one run to the next: where it was, what it last looked at, what the user keeps.
 
 #include "app/gui/bookmarks.hpp"
 #include "app/view/window.hpp"

@@ -194,12 +194,15 @@ void even_out(std::vector<vec2>& disc)
         return glm::dot(disc[a], disc[a]) < glm::dot(disc[b], disc[b]);
     });
     const auto count = static_cast<float>(disc.size());
-    for (std::size_t i = 0; i < by_radius.size(); ++i) {
-        vec2& p = disc[by_radius[i]];
-        p *= std::sqrt((static_cast<float>(i) + 0.5f) / count) / std::max(glm::length(p), 1e-6f);
+    constexpr int rounds = 8; // each takes most of what is left of the mean
+    for (int round = 0; round < rounds; ++round) {
+        const vec2 mean = std::accumulate(disc.begin(), disc.end(), vec2(0)) / count;
+        for (std::size_t i = 0; i < by_radius.size(); ++i) {
+            vec2& p = disc[by_radius[i]];
+            p -= mean;
+            p *= std::sqrt((static_cast<float>(i) + 0.5f) / count) / std::max(glm::length(p), 1e-6f);
+        }
     }
-    const vec2 mean = std::accumulate(disc.begin(), disc.end(), vec2(0)) / count;
-    for (vec2& p : disc) p -= mean;
 }
 
 } // namespace atrium

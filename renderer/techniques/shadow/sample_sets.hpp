@@ -14,10 +14,9 @@ namespace atrium {
 /// for the first 4, 8, 16 ... it is about .6. Takes a millisecond or two. Throws std::logic_error for another count.
 [[nodiscard]] std::vector<vec2> disc_samples(int count, std::uint64_t seed);
 
-/// Moves a disc's set a little, to radii that hold equal areas and a mean in the centre, which elimination alone does
-/// not give: it leaves points at the rim, where they have no neighbours outside. What a straight edge covers of the
-/// disc is then found in points to half of the error, and with none on average. Points may pass the rim by the mean's
-/// distance.
+/// Moves a disc's set a little, to radii that hold equal areas, with a mean near the centre, which elimination alone
+/// does not give: it leaves points at the rim, where they have no neighbours outside. What a straight edge covers of
+/// the disc is then found in points to half of the error, and with none on average.
 void even_out(std::vector<vec2>& disc);
 
 /// The same in the square [-1, 1)², where distances go around its sides: shifted modulo the square, a set is as even.

@@ -133,14 +133,13 @@ void ShadowMaps::tell(const std::string& text)
 
 void ShadowMaps::write_samples(const ShadowSettings& s)
 {
-    const std::array counts{s.blocker_samples, s.samples};
+    const std::array counts{static_cast<std::uint32_t>(s.blocker_samples), static_cast<std::uint32_t>(s.samples)};
     if (counts == sample_counts_) return;
     sample_counts_ = counts;
     const auto all_of = [&](auto make) {
         std::vector<vec4> all; // with their distances from the middle, and one over those
         for (std::uint32_t set = 0; set < shared::sample_sets; ++set) {
-            const std::uint32_t count = shared::samples_in_set(set, static_cast<std::uint32_t>(s.blocker_samples),
-                                                               static_cast<std::uint32_t>(s.samples));
+            const std::uint32_t count = shared::samples_in_set(set, counts[0], counts[1]);
             for (const vec2& at : make(set, static_cast<int>(count))) {
                 const float rim = glm::length(at);
                 all.emplace_back(at, rim, 1 / std::max(rim, 1e-3f));

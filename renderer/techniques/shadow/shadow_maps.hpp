@@ -48,8 +48,8 @@ private:
     const gpu::Device& device_;
     std::vector<Slot> slots_;
     gpu::Buffer faces_, disc_samples_, square_samples_, reference_faces_;
-    std::array<int, 2> sample_counts_{}; ///< as set, of those in the buffers
-    std::string told_;                   ///< what was said last of maps that are smaller or fewer than asked for
+    std::array<std::uint32_t, 2> sample_counts_{}; ///< as set, of those in the buffers
+    std::string told_; ///< what was said last of maps that are smaller or fewer than asked for
 };
 
 } // namespace atrium
