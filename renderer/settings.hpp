@@ -4,6 +4,7 @@
 #include "renderer/core/setting.hpp"
 #include "renderer/techniques/ao/ao.hpp"
 #include "renderer/techniques/aov/aov.hpp"
+#include "renderer/techniques/buffer_view/buffer_view.hpp"
 #include "renderer/techniques/culling/culling.hpp"
 #include "renderer/techniques/gbuffer/gbuffer.hpp"
 #include "renderer/techniques/lighting/lighting.hpp"
@@ -83,6 +84,7 @@ struct Settings {
     TonemapSettings tonemap;
     CullingSettings culling;
     DebugSettings debug;
+    BufferViewSettings buffer_view;
 };
 
 template <class V>
@@ -101,6 +103,7 @@ void describe(V& v, Settings& s)
     describe(v, s.tonemap);
     describe(v, s.culling);
     describe(v, s.debug);
+    describe(v, s.buffer_view);
 }
 
 } // namespace atrium
