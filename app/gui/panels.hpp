@@ -1,10 +1,11 @@
 #pragma once
-// The panel on the left of the window: settings, lights, camera, costs, help.
+// The panel on the left of the window: settings, lights, buffers, camera, costs, help.
 
 #include "app/gui/setting_widgets.hpp"
 #include "app/gui/view_model.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,6 +19,12 @@ struct PassFacts {
     std::uint32_t draws = 0;
 };
 
+/// A buffer that the last frame showed, and what is known of it.
+struct ShownBuffer {
+    std::string name;
+    BufferFacts facts;
+};
+
 /// What the last frame was.
 struct FrameFacts {
     std::string device;
@@ -26,6 +33,10 @@ struct FrameFacts {
     double frame_ms = 0;
     std::vector<PassFacts> passes; ///< in the order in which they ran
     std::uint64_t memory_bytes = 0, triangles = 0;
+    std::vector<ShownBuffer> buffers; ///< the one in place of the picture, if any, then the pinned ones
+    void* insets = nullptr;           ///< ImGui's name of the image in which the pinned ones stand side by side
+    /// The channels of one of `buffers` at a point of it, 0 to 1; none while the camera moves.
+    std::function<std::vector<float>(std::size_t buffer, vec2 at)> buffer_value;
     std::vector<float> history; ///< ms of the last frames, a ring
     int history_next = 0;       ///< where in it the next will be written: the oldest
 };
@@ -35,7 +46,7 @@ struct KeyHelp {
     std::string keys, act;
 };
 
-enum class Tab { settings, lights, camera, costs, help };
+enum class Tab { settings, lights, buffers, camera, costs, help };
 
 /// What the panel remembers between frames.
 struct PanelState {
@@ -44,16 +55,24 @@ struct PanelState {
     std::string message;                       ///< shown on top until it is put away: what was refused, and why
     std::optional<Tab> show;                   ///< turn to this tab in the next frame
     std::string filter;                        ///< of the settings
+    std::string buffer_filter;                 ///< of the list of buffers
     bool dragging = false;                     ///< something beside the panels is in the middle of an edit
     Headings headings = Headings::as_they_are; ///< of the settings, in the next frame that shows them
 };
 
-/// Draws them all. At most 360 x scale pixels wide and within the display. Completes edits: checkpoint() where nothing
-/// is being dragged or typed.
+inline constexpr float panel_width = 360; ///< pixels at scale 1, where the display has as many
+
+/// Draws them all. At most panel_width x scale pixels wide and within the display. Completes edits: checkpoint() where
+/// nothing is being dragged or typed.
 void draw_panels(ViewModel& model, const FrameFacts& facts, PanelState& state);
+
+/// Over the view, right of the panel: the pinned buffers along the bottom, what the one in place of the picture holds,
+/// and the values under the mouse.
+void draw_buffers(ViewModel& model, const FrameFacts& facts, float scale);
 
 /// One tab, for draw_panels().
 void draw_light_tab(ViewModel& model, PanelState& state, bool is_cpu);
+void draw_buffer_tab(ViewModel& model, PanelState& state, bool is_cpu);
 void draw_cost_tab(const FrameFacts& facts, float scale);
 
 /// "--eye X,Y,Z --target X,Y,Z --fov F", from which the command line makes the same camera.

@@ -24,6 +24,8 @@ constexpr std::array bindings{
     Binding{Action::harder, GLFW_KEY_PAGE_DOWN, 0, "Page down", "harder shadows"},
     Binding{Action::ao_method, GLFW_KEY_O, 0, "O", "next method of ambient occlusion"},
     Binding{Action::normal_mapping, GLFW_KEY_N, 0, "N", "normal mapping on and off"},
+    Binding{Action::previous_buffer, GLFW_KEY_COMMA, 0, ",", "previous buffer in place of the picture"},
+    Binding{Action::next_buffer, GLFW_KEY_PERIOD, 0, ".", "next buffer; after the last, the picture"},
     Binding{Action::gui, GLFW_KEY_F1, 0, "F1", "show and hide the panels"},
     Binding{Action::full_screen, GLFW_KEY_F11, 0, "F11", "full screen"},
     Binding{Action::screenshot, GLFW_KEY_F12, 0, "F12", "write a screenshot, without panels"},

@@ -18,7 +18,9 @@ enum class Action : std::uint8_t {
     softer,
     harder,
     ao_method,
-    normal_mapping
+    normal_mapping,
+    previous_buffer,
+    next_buffer
 };
 
 [[nodiscard]] Action action_of(const KeyPress& press);

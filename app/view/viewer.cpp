@@ -1,6 +1,7 @@
 #include "app/view/viewer.hpp"
 
 #include "app/config.hpp"
+#include "app/gui/inset_layout.hpp"
 #include "app/view/actions.hpp"
 #include "renderer/core/error.hpp"
 
@@ -51,6 +52,8 @@ Viewer::Viewer(Window& window, Engine& engine, const FrameRequest& start, const 
     model_.scene_name = scene;
     facts_.device = engine.device().report().name;
     facts_.is_cpu = engine.device().report().is_cpu;
+    facts_.insets = Gui::insets();
+    facts_.buffer_value = [this](std::size_t buffer, vec2 at) { return engine_.buffer_value(buffer, at); };
     panels_.keys = key_table();
     window.set_title("Atrium: " + scene);
 }
@@ -145,6 +148,14 @@ void Viewer::handle_keys(uvec2 pixels)
         case Action::redo:
             model_.redo();
             break;
+        case Action::previous_buffer:
+            model_.step_buffer(-1);
+            model_.checkpoint();
+            break;
+        case Action::next_buffer:
+            model_.step_buffer(1);
+            model_.checkpoint();
+            break;
         case Action::soft_shadows:
         case Action::ao_method:
         case Action::normal_mapping:
@@ -164,7 +175,9 @@ void Viewer::draw_interface(uvec2 pixels)
     facts_.size = pixels;
     facts_.memory_bytes = engine_.device().memory_in_use();
     panels_.scale = gui_.scale();
-    if (show_gui_) gui::draw_panels(model_, facts_, panels_);
+    if (!show_gui_) return;
+    gui::draw_panels(model_, facts_, panels_);
+    gui::draw_buffers(model_, facts_, panels_.scale);
 }
 
 FrameRequest Viewer::wanted_frame(uvec2 size) const
@@ -177,9 +190,26 @@ FrameRequest Viewer::wanted_frame(uvec2 size) const
     return wanted;
 }
 
-std::string Viewer::state_text() const
+Insets Viewer::wanted_insets(uvec2 pixels) const
+{
+    Insets wanted;
+    if (!show_gui_) return wanted;
+    wanted.size = gui::lay_out_insets(pixels, gui_.scale(), model_.pinned.size()).image;
+    for (const gui::PinnedBuffer& p : model_.pinned)
+        wanted.buffers.push_back({parse_aov(p.name, model_.lights), p.view});
+    return wanted;
+}
+
+std::string Viewer::state_text(uvec2 pixels) const
 {
     std::string text;
+    for (const Inset& inset : wanted_insets(pixels).buffers) {
+        BufferViewSettings view = inset.view;
+        SettingList keys;
+        describe(keys, view);
+        text += fmt::format("{} {}", inset.aov.info->name, inset.aov.light);
+        for (const Setting& key : keys.all()) text += key.get();
+    }
     for (const auto& [key, value] : describe_frame(wanted_frame({16, 9}), 0)) text += key + value;
     return text;
 }
@@ -188,7 +218,8 @@ void Viewer::write_screenshot(uvec2 pixels)
 {
     FrameRequest wanted = wanted_frame(pixels);
     wanted.want_picture = true;
-    wanted.keep_picture = wanted.remember = false;
+    wanted.keep_picture = wanted.remember = wanted.keep_buffers = false;
+    wanted.insets = {};
     std::filesystem::path file;
     for (int i = 0; file.empty() || std::filesystem::exists(file); ++i) file = fmt::format("atrium.{:04}.png", i);
     try {
@@ -201,7 +232,7 @@ void Viewer::write_screenshot(uvec2 pixels)
 
 void Viewer::draw_scene(uvec2 pixels, bool moving)
 {
-    const std::string wanted = state_text();
+    const std::string wanted = state_text(pixels);
     const bool same = wanted == drawn_ && pixels == drawn_pixels_;
     const float chosen = model_.settings.view.moving_scale;
     const float share = moving && !same ? (chosen > 0 ? chosen : moving_scale_.choose(moving_goal_ms)) : 1;
@@ -212,6 +243,8 @@ void Viewer::draw_scene(uvec2 pixels, bool moving)
     request_.previous_camera = before;
     request_.want_picture = request_.want_hdr = false;
     request_.keep_picture = true;
+    request_.insets = wanted_insets(pixels);
+    request_.keep_buffers = share == 1;
     request_.want_statistics = share == 1;
     request_.remember = share < 1; // what stands is drawn as `render` draws it, whatever was before
     const bool first = drawn_.empty();
@@ -236,6 +269,14 @@ void Viewer::tell(const FrameResult& frame)
     constexpr std::size_t remembered = 120;
     facts_.frame_ms = frame.record_ms + frame.stats.wall_ms;
     if (request_.want_statistics) facts_.triangles = frame.triangles;
+    facts_.buffers.clear();
+    const auto shown = [&](const std::string& name) {
+        if (facts_.buffers.size() < frame.buffers.size()) {
+            facts_.buffers.push_back({name, frame.buffers[facts_.buffers.size()]});
+        }
+    };
+    if (!request_.settings.debug.view.empty()) shown(request_.settings.debug.view);
+    for (const gui::PinnedBuffer& p : model_.pinned) shown(p.name);
     facts_.passes.clear();
     for (const graph::PassStats& p : frame.stats.passes) facts_.passes.push_back({p.name, p.gpu_ms, p.draws});
     facts_.history.resize(remembered);

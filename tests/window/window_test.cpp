@@ -147,6 +147,31 @@ TEST_F(Viewed, the_selected_light_follows_ctrl_and_drag)
     EXPECT_EQ(mean_difference(start, scene()), 0); // the view has not turned with it
 }
 
+// scripts/pictures takes the document's picture of buffers here.
+TEST_F(Viewed, buffers_take_the_place_of_the_picture_and_stand_beside_it)
+{
+    const Image8 start = scene();
+    EXPECT_GT(change([] { desktop->tap("period"); }), 3); // depth
+    EXPECT_GT(change([] { desktop->tap("comma"); }), 3);
+    EXPECT_EQ(mean_difference(start, scene()), 0);
+
+    desktop->click(window, {165, 140});
+    ASSERT_TRUE(settle());
+    const Image8 whole = scene();
+    EXPECT_GT(change([] { desktop->click(window, {35, 230}); }), 1);    // pins depth
+    EXPECT_GT(change([] { desktop->click(window, {35, 290}); }), 1);    // and the normal
+    EXPECT_GT(change([] { desktop->click(window, {470, 430}); }), 3);   // enlarges it
+    EXPECT_GT(change([] { desktop->move(window, {600, 250}); }), 0.01); // the value under the mouse
+    if (const char* wanted = std::getenv("ATRIUM_WINDOW_PICTURE")) write_png(wanted, desktop->grab(window));
+    const double before = program->cpu_seconds();
+    std::this_thread::sleep_for(2s);
+    EXPECT_LT((program->cpu_seconds() - before) / 2, 0.05); // rests with buffers too
+    EXPECT_GT(change([] { desktop->tap("comma"); }), 3);    // before depth is the picture
+    EXPECT_GT(change([] { desktop->click(window, {35, 290}); }), 1);
+    EXPECT_GT(change([] { desktop->click(window, {35, 230}); }), 1);
+    EXPECT_EQ(mean_difference(whole, scene()), 0);
+}
+
 TEST_F(Viewed, a_screenshot_is_drawn_again_to_the_byte)
 {
     const fs::path shot = folder / "atrium.0000.png", again = folder / "again.png";
