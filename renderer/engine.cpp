@@ -4,6 +4,7 @@
 #include "renderer/core/log.hpp"
 #include "renderer/frame_constants.hpp"
 #include "renderer/techniques/lighting/ltc_table.hpp"
+#include "shaders/shared/buffer_view.h"
 
 #include <fmt/format.h>
 
@@ -89,17 +90,36 @@ const gpu::Buffer& read_back(graph::Graph& g, Readbacks& readbacks, graph::Tex t
     return buffer;
 }
 
-const gpu::Buffer& read_back(graph::Graph& g, Readbacks& readbacks, const DrawList& draws)
+const gpu::Buffer& read_back(graph::Graph& g, Readbacks& readbacks, graph::Buf from, std::uint64_t bytes,
+                             const std::string& name)
 {
-    const std::uint64_t bytes = draws.count * sizeof(shared::DrawCommand);
     const gpu::Buffer& buffer = readbacks.add(bytes);
-    const graph::Buf target = g.import("readback.draws", buffer);
+    const graph::Buf target = g.import("readback." + name, buffer);
     g.keep(target, gpu::Access::host_read);
-    g.transfer("readback.draws").reads(draws.commands).writes(target).record([=](graph::Cmd& cmd) {
-        cmd.copy(draws.commands, target, bytes);
+    g.transfer("readback." + name).reads(from).writes(target).record([=](graph::Cmd& cmd) {
+        cmd.copy(from, target, bytes);
     });
     return buffer;
 }
+
+const gpu::Buffer& read_back(graph::Graph& g, Readbacks& readbacks, const DrawList& draws)
+{
+    return read_back(g, readbacks, draws.commands, draws.count * sizeof(shared::DrawCommand), "draws");
+}
+
+BufferFacts facts_of(std::span<const std::byte> bytes)
+{
+    shared::BufferStatistics s{};
+    std::memcpy(&s, bytes.data(), sizeof(s));
+    return {s.low, s.sum / static_cast<float>(s.count), s.high, s.range, s.count};
+}
+
+/// Values of a buffer that is shown, left where the CPU reads them.
+struct KeptBuffer {
+    const gpu::Buffer* values = nullptr;
+    graph::TexDesc desc;
+    int channels = 1;
+};
 
 } // namespace
 
@@ -108,7 +128,7 @@ struct Engine::State {
         : options(o), instance(o.validate, o.window.instance_extensions),
           device(instance, gpu::choose_device(instance, o.device), static_cast<bool>(o.window)), descriptors(device),
           pipelines(device, descriptors, o.shaders, o.cache_folder), runner(device, descriptors, pipelines),
-          readbacks(device), shadow_maps(device), ui(device),
+          readbacks(device), kept_readbacks(device), shadow_maps(device), ui(device),
           constants(device, "frame constants", sizeof(shared::FrameConstants), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
                     gpu::MemoryUse::upload),
           ltc(device, "ltc", ltc_table().size_bytes(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::MemoryUse::upload)
@@ -126,6 +146,8 @@ struct Engine::State {
     gpu::Pipelines pipelines;
     graph::Runner runner;
     Readbacks readbacks;
+    Readbacks kept_readbacks;             ///< of kept_buffers, which stay from frame to frame
+    std::vector<KeptBuffer> kept_buffers; ///< of the picture kept last
     ShadowMaps shadow_maps;
     Ui ui;
     std::unique_ptr<gpu::Swapchain> swapchain; ///< where there is a window
@@ -264,6 +286,34 @@ FrameResult Engine::render(const FrameRequest& request)
     }
 }
 
+void Engine::keep_shown(graph::Graph& g, const Frame& frame, const FrameRequest& request)
+{
+    State& s = *state_;
+    s.ui.keep_picture(g, frame.picture);
+    if (frame.insets) s.ui.keep_insets(g, frame.insets);
+    s.kept_readbacks.begin();
+    s.kept_buffers.clear();
+    if (!request.keep_buffers) return;
+    for (std::size_t i = 0; i < frame.shown.size(); ++i) {
+        const graph::Tex values = frame.shown[i].values;
+        s.kept_buffers.push_back({&read_back(g, s.kept_readbacks, values, fmt::format("buffer.{}", i)), g.desc(values),
+                                  frame.shown[i].channels});
+    }
+}
+
+std::vector<float> Engine::buffer_value(std::size_t buffer, vec2 at) const
+{
+    if (buffer >= state_->kept_buffers.size()) return {};
+    const KeptBuffer& kept = state_->kept_buffers[buffer];
+    const uvec2 size(kept.desc.width, kept.desc.height);
+    const uvec2 texel = glm::min(uvec2(glm::max(at, vec2(0)) * vec2(size)), size - 1u);
+    const std::size_t stored = kept.desc.format == gpu::Format::r32_float ? 1 : 4;
+    std::vector<float> out(static_cast<std::size_t>(kept.channels));
+    const std::size_t first = (std::size_t{texel.y} * size.x + texel.x) * stored * sizeof(float);
+    std::memcpy(out.data(), kept.values->mapped().data() + first, out.size() * sizeof(float));
+    return out;
+}
+
 FrameResult Engine::draw(const FrameRequest& request)
 {
     State& s = *state_;
@@ -286,7 +336,8 @@ FrameResult Engine::draw(const FrameRequest& request)
                                &s.shadow_maps,
                                remember ? &*s.seen : nullptr,
                                order_lights(request.lights),
-                               s.device.report().optional.lines};
+                               s.device.report().optional.lines,
+                               request.insets};
     const Frame frame = build_frame(g, *s.renderer, context, request.aovs);
 
     s.readbacks.begin();
@@ -294,7 +345,10 @@ FrameResult Engine::draw(const FrameRequest& request)
     const gpu::Buffer* hdr = nullptr;
     std::vector<const gpu::Buffer*> commands;
     std::vector<const gpu::Buffer*> aovs;
-    if (request.keep_picture) s.ui.keep_picture(g, frame.picture);
+    std::vector<const gpu::Buffer*> statistics;
+    if (request.keep_picture) keep_shown(g, frame, request);
+    for (const ShownBuffer& b : frame.shown)
+        statistics.push_back(&read_back(g, s.readbacks, b.statistics, sizeof(shared::BufferStatistics), "statistics"));
     if (request.want_picture) picture = &read_back(g, s.readbacks, frame.picture, "picture");
     if (request.want_hdr) hdr = &read_back(g, s.readbacks, frame.hdr, "hdr");
     for (std::size_t i = 0; i < frame.aovs.size(); ++i) {
@@ -319,6 +373,8 @@ FrameResult Engine::draw(const FrameRequest& request)
     for (std::size_t i = 0; i < aovs.size(); ++i) {
         result.aovs.push_back(to_image(bytes_in(*aovs[i]), g.desc(frame.aovs[i]), request.aovs[i].info->channels, 1));
     }
+    for (const gpu::Buffer* b : statistics) result.buffers.push_back(facts_of(bytes_in(*b)));
+    for (const KeptBuffer& kept : s.kept_buffers) kept.values->invalidate();
     for (const gpu::Buffer* list : commands) count_draws(bytes_in(*list), *s.scene, result);
     return result;
 }

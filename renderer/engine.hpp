@@ -43,7 +43,9 @@ struct FrameRequest {
     Settings settings;
     std::vector<Aov> aovs;
     bool want_picture = true, want_hdr = false;
-    bool keep_picture = false;    ///< on the device, for show()
+    bool keep_picture = false;    ///< on the device, for show(); the insets too
+    Insets insets;                ///< at most max_insets
+    bool keep_buffers = false;    ///< values of the buffers shown, for buffer_value()
     bool want_statistics = false; ///< triangles and material changes, read back from the device
     /// Begin with what the frame before saw: faster while cameras move little. Where surfaces lie at the same depth, it
     /// can then depend on the frame before which of them is seen.
@@ -55,6 +57,7 @@ struct FrameResult {
     Image8 picture; ///< RGB
     ImageF hdr;     ///< linear, before exposure
     std::vector<ImageF> aovs;
+    std::vector<BufferFacts> buffers; ///< shown: the one in place of the picture, if any, then the insets
     graph::RunStats stats;
     double record_ms = 0;               ///< CPU time to build, plan and record the frame
     std::uint64_t triangles = 0;        ///< drawn after culling
@@ -82,6 +85,10 @@ public:
     /// Draws one frame and waits for it.
     [[nodiscard]] FrameResult render(const FrameRequest& request);
 
+    /// The channels of a buffer that the last frame showed, by its place in FrameResult::buffers, at a point of it (0
+    /// to 1, from the upper left); empty where that frame was to keep none.
+    [[nodiscard]] std::vector<float> buffer_value(std::size_t buffer, vec2 at) const;
+
     /// RGBA8 of what user interfaces are written with, rows from the top. Before the first show().
     void set_ui_font(uvec2 size, std::span<const std::byte> rgba);
     /// Makes ready for a window of so many pixels. Returns the size that it has, for which an interface is to be drawn;
@@ -103,6 +110,7 @@ public:
 private:
     void forget_frames(); ///< what outlives a frame on the device
     [[nodiscard]] FrameResult draw(const FrameRequest& request);
+    void keep_shown(graph::Graph& g, const Frame& frame, const FrameRequest& request);
     struct State;
     std::unique_ptr<State> state_;
 };

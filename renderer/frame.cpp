@@ -4,6 +4,8 @@
 
 #include "renderer/techniques/wireframe/wireframe.hpp"
 
+#include <fmt/format.h>
+
 namespace atrium {
 namespace {
 
@@ -56,6 +58,36 @@ public:
     }
 };
 
+BufferLook look_of(const AovInfo& info, float scene_size)
+{
+    if (info.low != info.high) return {info.channels, info.view_mode, info.low, info.high};
+    return info.channels == 3 ? BufferLook{info.channels, info.view_mode, -0.5f * scene_size, 0.5f * scene_size}
+                              : BufferLook{info.channels, info.view_mode, 0, scene_size};
+}
+
+/// Shows an AOV in an area of `picture`.
+ShownBuffer show_buffer(graph::Graph& g, const Inset& buffer, const SceneImages& scene, const FrameContext& frame,
+                        graph::Tex picture, const PictureArea& area, graph::Load load, const std::string& pass)
+{
+    const BufferLook look = look_of(*buffer.aov.info, frame.scene.bounds().diagonal());
+    const graph::Tex values = add_aov(g, buffer.aov, scene.aov_inputs, exposure_scale(frame.settings.exposure));
+    const graph::Buf statistics = add_buffer_statistics(g, values, look, buffer.view, pass);
+    add_buffer_view(g, values, statistics, look, buffer.view, picture, area, load, pass);
+    return {values, statistics, look.channels};
+}
+
+void add_insets(graph::Graph& g, const SceneImages& scene, const FrameContext& frame, Frame& out)
+{
+    const uvec2 size = frame.insets.size;
+    const auto count = static_cast<std::uint32_t>(frame.insets.buffers.size());
+    if (count == 0) return;
+    out.insets = g.texture("insets", {gpu::Format::rgba8_srgb, count * size.x, size.y});
+    for (std::uint32_t i = 0; i < count; ++i) {
+        out.shown.push_back(show_buffer(g, frame.insets.buffers[i], scene, frame, out.insets, {{i * size.x, 0}, size},
+                                        i == 0 ? graph::Load::clear : graph::Load::keep, fmt::format("inset.{}", i)));
+    }
+}
+
 } // namespace
 
 std::unique_ptr<Renderer> make_renderer(RenderPath path)
@@ -80,10 +112,12 @@ Frame build_frame(graph::Graph& g, const Renderer& renderer, const FrameContext&
     if (s.debug.view.empty()) {
         out.picture = add_tonemap(g, scene.hdr, s.tonemap);
     } else {
-        const Aov shown = parse_aov(s.debug.view, frame.lights);
-        out.picture = add_debug_view(g, add_aov(g, shown, scene.aov_inputs, exposure), *shown.info, frame.size,
-                                     frame.scene.bounds().diagonal());
+        out.picture = g.texture("buffer_view", {gpu::Format::rgba8_srgb, frame.size.x, frame.size.y});
+        const Inset whole{parse_aov(s.debug.view, frame.lights), s.buffer_view};
+        out.shown.push_back(show_buffer(g, whole, scene, frame, out.picture, {uvec2(0), frame.size},
+                                        graph::Load::discard, "buffer_view"));
     }
+    add_insets(g, scene, frame, out);
     if (s.debug.wireframe && frame.can_draw_lines)
         add_wireframe(g, out.picture, scene.aov_inputs.gbuffer.depth, out.draws, frame.scene.geometry());
     return out;

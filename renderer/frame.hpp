@@ -12,6 +12,17 @@
 
 namespace atrium {
 
+/// A buffer shown small beside the picture, with a look of its own.
+struct Inset {
+    Aov aov;
+    BufferViewSettings view;
+};
+
+struct Insets {
+    std::vector<Inset> buffers;
+    uvec2 size{0}; ///< of each, pixels
+};
+
 /// What a frame is made of; everything a technique may ask for.
 struct FrameContext {
     const Settings& settings;
@@ -23,6 +34,7 @@ struct FrameContext {
     SeenTriangles* seen = nullptr;     ///< of the frame before; null: frames know nothing of each other
     LightOrder light_order;
     bool can_draw_lines = true; ///< gpu::OptionalFeatures::lines
+    Insets insets;
 };
 
 /// A scene turned into radiance, with the intermediate images that AOVs are made from.
@@ -41,12 +53,20 @@ public:
 
 [[nodiscard]] std::unique_ptr<Renderer> make_renderer(RenderPath path);
 
+struct ShownBuffer {
+    graph::Tex values;     ///< R32F or RGBA32F
+    graph::Buf statistics; ///< shared::BufferStatistics
+    int channels = 1;      ///< of `values` that mean something
+};
+
 /// A frame's graph and those of its images that were asked for.
 struct Frame {
-    graph::Tex picture;           ///< RGBA8, sRGB-encoded
-    graph::Tex hdr;               ///< RGBA16F, radiance x exposure
-    std::vector<DrawList> draws;  ///< into the G-buffer, one after the other
-    std::vector<graph::Tex> aovs; ///< as asked, in order
+    graph::Tex picture;             ///< RGBA8, sRGB-encoded
+    graph::Tex hdr;                 ///< RGBA16F, radiance x exposure
+    std::vector<DrawList> draws;    ///< into the G-buffer, one after the other
+    std::vector<graph::Tex> aovs;   ///< as asked, in order
+    std::vector<ShownBuffer> shown; ///< the one in place of the picture, if any, then the insets
+    graph::Tex insets;              ///< RGBA8, sRGB-encoded, side by side; none: there are none
 };
 
 /// The whole frame. Throws Error(usage) when debug.view names no AOV.

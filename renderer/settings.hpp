@@ -5,6 +5,7 @@
 #include "renderer/gpu/present_mode.hpp"
 #include "renderer/techniques/ao/ao.hpp"
 #include "renderer/techniques/aov/aov.hpp"
+#include "renderer/techniques/buffer_view/buffer_view.hpp"
 #include "renderer/techniques/culling/culling.hpp"
 #include "renderer/techniques/gbuffer/gbuffer.hpp"
 #include "renderer/techniques/lighting/lighting.hpp"
@@ -88,6 +89,7 @@ struct Settings {
     TonemapSettings tonemap;
     CullingSettings culling;
     DebugSettings debug;
+    BufferViewSettings buffer_view;
 };
 
 template <class V>
@@ -106,6 +108,7 @@ void describe(V& v, Settings& s)
     describe(v, s.tonemap);
     describe(v, s.culling);
     describe(v, s.debug);
+    describe(v, s.buffer_view);
 }
 
 } // namespace atrium

@@ -34,18 +34,29 @@ void Ui::set_font(uvec2 size, std::span<const std::byte> rgba)
     upload(device_, {&job, 1}, UploadPath::staging);
 }
 
+void Ui::keep(graph::Graph& g, graph::Tex from, gpu::Image& image, const std::string& name) const
+{
+    const graph::TexDesc& desc = g.desc(from);
+    if (image.desc().width != desc.width || image.desc().height != desc.height) {
+        image = gpu::Image(device_, name,
+                           {gpu::Format::rgba8_unorm, desc.width, desc.height, 1, 1,
+                            VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT});
+    }
+    const graph::Tex kept = g.import(name, image);
+    g.raster(name + ".keep").reads(from).writes(kept).fullscreen("ui/keep.frag");
+    g.keep(kept, gpu::Access::sampled_fragment);
+}
+
 void Ui::keep_picture(graph::Graph& g, graph::Tex picture)
 {
-    const graph::TexDesc& desc = g.desc(picture);
-    if (picture_.desc().width != desc.width || picture_.desc().height != desc.height) {
-        picture_ = gpu::Image(device_, "ui.picture",
-                              {gpu::Format::rgba8_unorm, desc.width, desc.height, 1, 1,
-                               VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT});
-    }
-    const graph::Tex kept = g.import("ui.picture", picture_);
-    g.raster("ui.keep").reads(picture).writes(kept).fullscreen("ui/keep.frag");
-    g.keep(kept, gpu::Access::sampled_fragment);
+    keep(g, picture, picture_, "ui.picture");
     picture_kept_ = true;
+}
+
+void Ui::keep_insets(graph::Graph& g, graph::Tex insets)
+{
+    keep(g, insets, insets_, "ui.insets");
+    insets_kept_ = true;
 }
 
 void Ui::add(graph::Graph& g, graph::Tex window, const UiDraws& draws)
@@ -55,6 +66,8 @@ void Ui::add(graph::Graph& g, graph::Tex window, const UiDraws& draws)
     write(device_, indices_, "ui.indices", draws.indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
     const graph::Buf vertices = g.import("ui.vertices", vertices_);
     const graph::Buf indices = g.import("ui.indices", indices_);
+    const graph::Tex picture = g.import("ui.picture", picture_, gpu::Access::sampled_fragment);
+    const graph::Tex insets = insets_kept_ ? g.import("ui.insets", insets_, gpu::Access::sampled_fragment) : picture;
     gpu::GraphicsPipelineDesc state;
     state.vertex = "ui/ui.vert";
     state.fragment = "ui/ui.frag";
@@ -63,7 +76,8 @@ void Ui::add(graph::Graph& g, graph::Tex window, const UiDraws& draws)
     const vec2 inv_size(1.0f / static_cast<float>(size.width), 1.0f / static_cast<float>(size.height));
     g.raster("ui")
         .reads(g.import("ui.font", font_, gpu::Access::sampled_fragment))
-        .reads(g.import("ui.picture", picture_, gpu::Access::sampled_fragment))
+        .reads(picture)
+        .reads(insets)
         .reads(vertices)
         .reads(indices, gpu::Access::index_read)
         .writes(window, graph::Load::clear)

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace atrium {
@@ -35,14 +36,18 @@ public:
     /// Reads  the frame's picture (RGBA8).  Keeps it.
     void keep_picture(graph::Graph& g, graph::Tex picture);
 
-    /// Reads  font, kept picture.  Writes  the window's image, all of it.
+    /// The same of the buffers shown beside it, side by side in one image.
+    void keep_insets(graph::Graph& g, graph::Tex insets);
+
+    /// Reads  font, kept picture and insets.  Writes  the window's image, all of it.
     void add(graph::Graph& g, graph::Tex window, const UiDraws& draws);
 
 private:
     const gpu::Device& device_;
-    gpu::Image font_, picture_;
+    void keep(graph::Graph& g, graph::Tex from, gpu::Image& image, const std::string& name) const;
+    gpu::Image font_, picture_, insets_;
     gpu::Buffer vertices_, indices_;
-    bool picture_kept_ = false;
+    bool picture_kept_ = false, insets_kept_ = false;
 };
 
 } // namespace atrium

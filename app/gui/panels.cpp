@@ -85,6 +85,9 @@ void draw_setting_tab(ViewModel& model, PanelState& state, bool is_cpu)
     if (flowing_button("open all", true)) state.headings = Headings::open;
     if (flowing_button("close all", false)) state.headings = Headings::close;
 
+    std::vector<std::string> views = model.offered_buffers();
+    views.insert(views.begin(), ""); // the picture
+    model.list.offer("debug.view", std::move(views));
     const Headings headings = std::exchange(state.headings, Headings::as_they_are);
     if (ImGui::BeginChild("settings")) draw_settings(model.list, state.filter, is_cpu, headings);
     ImGui::EndChild();
@@ -109,17 +112,25 @@ void draw_help_tab(const PanelState& state)
 
 void draw_tabs(ViewModel& model, const FrameFacts& facts, PanelState& state)
 {
-    if (!ImGui::BeginTabBar("tabs")) return;
+    const ImVec2 narrow(4.0f * state.scale, ImGui::GetStyle().FramePadding.y); // else six names are cut off
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, narrow);
+    const bool open = ImGui::BeginTabBar("tabs");
+    ImGui::PopStyleVar();
+    if (!open) return;
     const auto wanted = std::exchange(state.show, std::nullopt);
     const auto tab = [&](Tab which, const char* name, const auto& draw) {
         const ImGuiTabItemFlags flags = wanted == which ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None;
-        if (!ImGui::BeginTabItem(name, nullptr, flags)) return;
+        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, narrow);
+        const bool shown = ImGui::BeginTabItem(name, nullptr, flags);
+        ImGui::PopStyleVar();
+        if (!shown) return;
         if (ImGui::BeginChild("tab")) draw();
         ImGui::EndChild();
         ImGui::EndTabItem();
     };
     tab(Tab::settings, "Settings", [&] { draw_setting_tab(model, state, facts.is_cpu); });
     tab(Tab::lights, "Lights", [&] { draw_light_tab(model, state, facts.is_cpu); });
+    tab(Tab::buffers, "Buffers", [&] { draw_buffer_tab(model, state, facts.is_cpu); });
     tab(Tab::camera, "Camera", [&] { draw_camera_tab(model, state, facts.is_cpu); });
     tab(Tab::costs, "Costs", [&] { draw_cost_tab(facts, state); });
     tab(Tab::help, "Help", [&] { draw_help_tab(state); });
@@ -130,11 +141,11 @@ void draw_tabs(ViewModel& model, const FrameFacts& facts, PanelState& state)
 
 void draw_panels(ViewModel& model, const FrameFacts& facts, PanelState& state)
 {
-    constexpr float widest = 360, from_edge = 8;
+    constexpr float from_edge = 8;
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float margin = from_edge * state.scale;
     ImGui::SetNextWindowPos({margin, margin});
-    ImGui::SetNextWindowSize({std::min(widest * state.scale, display.x - 2 * margin), display.y - 2 * margin});
+    ImGui::SetNextWindowSize({std::min(panel_width * state.scale, display.x - 2 * margin), display.y - 2 * margin});
     constexpr ImGuiWindowFlags flags =
         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings;
     if (ImGui::Begin("Atrium", nullptr, flags)) {

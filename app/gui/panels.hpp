@@ -1,5 +1,5 @@
 #pragma once
-// The panel on the left of the window: settings, lights, camera, costs, help.
+// The panel on the left of the window: settings, lights, buffers, camera, costs, help.
 
 #include "app/gui/cost_history.hpp"
 #include "app/gui/setting_widgets.hpp"
@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,6 +21,12 @@ struct HeapFacts {
     std::uint64_t used = 0, budget = 0;
 };
 
+/// A buffer that the last frame showed, and what is known of it.
+struct ShownBuffer {
+    std::string name;
+    BufferFacts facts;
+};
+
 /// What the last frame was, and what those before took.
 struct FrameFacts {
     std::string device;
@@ -29,6 +36,10 @@ struct FrameFacts {
     double interface_ms = 0; ///< what this panel and the rest around the picture take
     std::vector<HeapFacts> heaps;
     CostHistory costs;
+    std::vector<ShownBuffer> buffers; ///< the one in place of the picture, if any, then the pinned ones
+    void* insets = nullptr;           ///< ImGui's name of the image in which the pinned ones stand side by side
+    /// The channels of one of `buffers` at a point of it, 0 to 1; none while the camera moves.
+    std::function<std::vector<float>(std::size_t buffer, vec2 at)> buffer_value;
 };
 
 /// One line of the help.
@@ -40,7 +51,7 @@ struct KeyHelp {
 /// A file of costs that is wished for: cost_history.hpp.
 enum class CostFile { json, trace };
 
-enum class Tab { settings, lights, camera, costs, help };
+enum class Tab { settings, lights, buffers, camera, costs, help };
 
 /// What the panel remembers between frames.
 struct PanelState {
@@ -49,6 +60,7 @@ struct PanelState {
     std::string message;                         ///< shown on top until it is put away: what was refused, and why
     std::optional<Tab> show;                     ///< turn to this tab in the next frame
     std::string filter;                          ///< of the settings
+    std::string buffer_filter;                   ///< of the list of buffers
     std::string settings_file = "settings.toml"; ///< to save into and load from
     std::string new_bookmark;                    ///< name that is being typed
     std::optional<std::size_t> camera;           ///< selected of the scene's cameras and, after them, the bookmarks
@@ -58,13 +70,20 @@ struct PanelState {
     Headings headings = Headings::as_they_are;   ///< of the settings, in the next frame that shows them
 };
 
-/// Draws them all. At most 360 x scale pixels wide and within the display. Completes edits: checkpoint() where nothing
-/// is being dragged or typed.
+inline constexpr float panel_width = 360; ///< pixels at scale 1, where the display has as many
+
+/// Draws them all. At most panel_width x scale pixels wide and within the display. Completes edits: checkpoint() where
+/// nothing is being dragged or typed.
 void draw_panels(ViewModel& model, const FrameFacts& facts, PanelState& state);
+
+/// Over the view, right of the panel: the pinned buffers along the bottom, what the one in place of the picture holds,
+/// and the values under the mouse.
+void draw_buffers(ViewModel& model, const FrameFacts& facts, float scale);
 
 /// One tab, for draw_panels().
 void draw_camera_tab(ViewModel& model, PanelState& state, bool is_cpu);
 void draw_light_tab(ViewModel& model, PanelState& state, bool is_cpu);
+void draw_buffer_tab(ViewModel& model, PanelState& state, bool is_cpu);
 void draw_cost_tab(const FrameFacts& facts, PanelState& state);
 
 /// "--eye X,Y,Z --target X,Y,Z --fov F", from which the command line makes the same camera.

@@ -101,22 +101,29 @@ bool draw_value(const Setting& s, const vec3* field)
     return changed && assign(s, to_text(value));
 }
 
-bool draw_value(const Setting& s, const EnumField& field)
+/// One of the setting's values.
+bool draw_choice(const Setting& s)
 {
-    const int present = field.get(field.value);
+    const auto shown = [](const std::string& text) { return text.empty() ? "none" : text.c_str(); };
+    const std::string present = s.get();
     bool changed = false;
-    if (!ImGui::BeginCombo("##value", s.get().c_str())) return false;
-    for (int i = 0; i < static_cast<int>(s.values.size()); ++i) {
-        const std::string& name = s.values[static_cast<std::size_t>(i)];
-        if (ImGui::Selectable(name.c_str(), i == present)) changed = assign(s, name);
-        if (i == present) ImGui::SetItemDefaultFocus();
+    if (!ImGui::BeginCombo("##value", shown(present))) return false;
+    for (const std::string& name : s.values) {
+        if (ImGui::Selectable(shown(name), name == present)) changed = assign(s, name);
+        if (name == present) ImGui::SetItemDefaultFocus();
     }
     ImGui::EndCombo();
     return changed;
 }
 
+bool draw_value(const Setting& s, const EnumField& /*field*/)
+{
+    return draw_choice(s);
+}
+
 bool draw_value(const Setting& s, const std::string* field)
 {
+    if (!s.values.empty()) return draw_choice(s);
     std::string value = *field;
     return draw_text_field("##value", value) && assign(s, value);
 }
@@ -220,16 +227,20 @@ DrawnSettings draw_settings(const SettingList& list, std::string_view filter, bo
     return drawn;
 }
 
-bool matches_filter(const Setting& s, std::string_view filter)
+bool contains_words(std::string_view whole, std::string_view filter)
 {
-    const std::string text = lower(fmt::format("{} {} {} {}", s.key, label_of(s), s.group_title, s.help));
-    const std::string wanted = lower(filter);
+    const std::string text = lower(whole), wanted = lower(filter);
     for (std::size_t begin = 0; begin < wanted.size();) {
         const std::size_t end = std::min(wanted.find(' ', begin), wanted.size());
         if (text.find(wanted.substr(begin, end - begin)) == std::string::npos) return false;
         begin = end + 1;
     }
     return true;
+}
+
+bool matches_filter(const Setting& s, std::string_view filter)
+{
+    return contains_words(fmt::format("{} {} {} {}", s.key, label_of(s), s.group_title, s.help), filter);
 }
 
 std::string label_of(const Setting& s)

@@ -10,8 +10,8 @@ namespace atrium::gui {
 
 /// One line in the present ImGui window, or two where the value wants room: label, widget, and a button back to the
 /// default where it differs. A checkbox for bool, a slider for numbers with a range (logarithmic over more than three
-/// decades), a drag for those without, a colour or three drags for vec3, a combo for enums, a field for text. What is
-/// typed is brought into the range. True when the field was changed.
+/// decades), a drag for those without, a colour or three drags for vec3, a combo for enums and text that has values to
+/// choose from, a field for other text. What is typed is brought into the range. True when the field was changed.
 bool draw_setting(const Setting& setting, bool is_cpu);
 
 /// What to do with the headings of draw_settings(), in this frame.
@@ -29,6 +29,8 @@ DrawnSettings draw_settings(const SettingList& list, std::string_view filter, bo
 
 // What the widgets are made of.
 
+/// Each word of `filter` stands in the text. Case does not count.
+[[nodiscard]] bool contains_words(std::string_view text, std::string_view filter);
 /// Each word of `filter` stands in the key, with blanks for underscores or not, in the heading or in the help. Case
 /// does not count.
 [[nodiscard]] bool matches_filter(const Setting& setting, std::string_view filter);

@@ -183,4 +183,39 @@ std::optional<std::string> ViewModel::set_light(std::size_t index, Light light)
     return std::nullopt;
 }
 
+std::vector<std::string> ViewModel::offered_buffers() const
+{
+    std::vector<std::string> names = aov_names(lights);
+    std::erase_if(names, [&](const std::string& name) {
+        const Aov aov = parse_aov(name, lights);
+        if (aov.info->source == AovSource::ao) return settings.ao.method == AoMethod::off;
+        if (aov.info->source != AovSource::shadow) return false;
+        return settings.shadow.filter == ShadowFilter::off || !lights[aov.light].shadow;
+    });
+    return names;
+}
+
+void ViewModel::step_buffer(int step)
+{
+    std::vector<std::string> names = offered_buffers();
+    names.insert(names.begin(), ""); // the picture
+    const auto count = static_cast<int>(names.size());
+    const auto at = static_cast<int>(std::find(names.begin(), names.end(), settings.debug.view) - names.begin());
+    const int next = at == count ? 0 : (at + step + count) % count; // one that is no longer offered: to the picture
+    settings.debug.view = names[static_cast<std::size_t>(next)];
+}
+
+void ViewModel::toggle_pin(const std::string& name)
+{
+    if (std::erase_if(pinned, [&](const PinnedBuffer& p) { return p.name == name; }) > 0) return;
+    if (pinned.size() < max_insets) pinned.push_back({name, {}});
+}
+
+void ViewModel::drop_lost_buffers()
+{
+    const std::vector<std::string> names = aov_names(lights);
+    std::erase_if(pinned,
+                  [&](const PinnedBuffer& p) { return std::find(names.begin(), names.end(), p.name) == names.end(); });
+}
+
 } // namespace atrium::gui

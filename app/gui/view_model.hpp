@@ -18,6 +18,12 @@
 
 namespace atrium::gui {
 
+/// A buffer shown small at the bottom of the view.
+struct PinnedBuffer {
+    std::string name; ///< of its AOV
+    BufferViewSettings view;
+};
+
 /// Everything is public that widgets write to; whoever edits calls checkpoint() when an edit is complete.
 class ViewModel {
 public:
@@ -30,6 +36,7 @@ public:
     Camera camera;
     std::vector<Light> lights;           ///< named, no name twice
     std::optional<std::size_t> selected; ///< of `lights`
+    std::vector<PinnedBuffer> pinned;    ///< at most max_insets, no name twice
     std::string scene_name;
     std::vector<NamedCamera> scene_cameras; ///< of the scene's file
     Bookmarks bookmarks;
@@ -73,6 +80,17 @@ public:
     void remove_selected();
     /// Replaces a light, unless it breaks a rule of lights: the answer says which. An empty name gets a free one.
     [[nodiscard]] std::optional<std::string> set_light(std::size_t index, Light light);
+
+    // Buffers: the AOVs that can be shown.
+
+    /// Those that the settings and lights offer: without those of techniques that are off.
+    [[nodiscard]] std::vector<std::string> offered_buffers() const;
+    /// Shows the next one in place of the picture, or the one before; the picture itself is one of them.
+    void step_buffer(int step);
+    /// Shows one small, or no longer; nothing where there is room for no more.
+    void toggle_pin(const std::string& name);
+    /// Forgets what a light that is no longer there was shown of.
+    void drop_lost_buffers();
 
 private:
     using Texts = std::vector<std::pair<std::string, std::string>>;

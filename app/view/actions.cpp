@@ -27,6 +27,9 @@ constexpr std::array actions{
     ActionInfo{Action::harder, "harder", {GLFW_KEY_PAGE_DOWN, 0}, "harder shadows"},
     ActionInfo{Action::ao_method, "ao_method", {GLFW_KEY_O, 0}, "next method of ambient occlusion"},
     ActionInfo{Action::normal_mapping, "normal_mapping", {GLFW_KEY_N, 0}, "normal mapping on and off"},
+    ActionInfo{
+        Action::previous_buffer, "previous_buffer", {GLFW_KEY_COMMA, 0}, "previous buffer in place of the picture"},
+    ActionInfo{Action::next_buffer, "next_buffer", {GLFW_KEY_PERIOD, 0}, "next buffer; after the last, the picture"},
     ActionInfo{Action::frame, "frame", {GLFW_KEY_HOME, 0}, "frame the selected light, or the scene"},
     ActionInfo{Action::compare,
                "compare",

@@ -27,6 +27,8 @@ enum class Action : std::uint8_t {
     harder,
     ao_method,
     normal_mapping,
+    previous_buffer,
+    next_buffer,
     frame,
     compare,
     gui,

@@ -65,6 +65,11 @@ Gui::~Gui()
     ImGui::DestroyContext();
 }
 
+void* Gui::insets()
+{
+    return id_of(shared::ui_insets);
+}
+
 void Gui::set_scale(float scale)
 {
     scale_ = scale;

@@ -18,6 +18,8 @@ public:
     /// Ends it.
     [[nodiscard]] UiDraws end();
 
+    /// What ImGui calls the image of insets.
+    [[nodiscard]] static void* insets();
     [[nodiscard]] float scale() const { return scale_; }
 
 private:

@@ -2,6 +2,7 @@
 
 #include "app/config.hpp"
 #include "app/gui/framing.hpp"
+#include "app/gui/inset_layout.hpp"
 #include "app/gui/notice.hpp"
 #include "app/view/comparison.hpp"
 #include "app/view/numbered_file.hpp"
@@ -62,6 +63,8 @@ Viewer::Viewer(Window& window, Engine& engine, const ViewerStart& start)
     model_.bookmarks = start.bookmarks;
     facts_.device = engine.device().report().name;
     facts_.is_cpu = engine.device().report().is_cpu;
+    facts_.insets = Gui::insets();
+    facts_.buffer_value = [this](std::size_t buffer, vec2 at) { return engine_.buffer_value(buffer, at); };
     panels_.keys = keys_.help();
     panels_.message = start.message;
     panels_.settings_file = start.settings_file;
@@ -195,6 +198,14 @@ void Viewer::act(Action action, uvec2 pixels)
     case Action::redo:
         model_.redo();
         break;
+    case Action::previous_buffer:
+        model_.step_buffer(-1);
+        model_.checkpoint();
+        break;
+    case Action::next_buffer:
+        model_.step_buffer(1);
+        model_.checkpoint();
+        break;
     case Action::soft_shadows:
     case Action::ao_method:
     case Action::normal_mapping:
@@ -224,7 +235,10 @@ void Viewer::draw_interface(uvec2 pixels)
     for (const gpu::HeapUse& heap : engine_.device().memory_by_heap())
         facts_.heaps.push_back({heap.device_local, heap.bytes, heap.budget});
     panels_.scale = gui_.scale();
-    if (show_gui_) gui::draw_panels(model_, facts_, panels_);
+    if (show_gui_) {
+        gui::draw_panels(model_, facts_, panels_);
+        gui::draw_buffers(model_, facts_, panels_.scale);
+    }
     if (std::exchange(panels_.frame, false)) frame_selection(pixels);
     if (!reload_.problem().empty())
         gui::draw_notice(gui::Corner::bottom_right, reload_.problem(), nullptr, gui_.scale());
@@ -241,9 +255,26 @@ FrameRequest Viewer::wanted_frame(uvec2 size) const
     return wanted;
 }
 
-std::string Viewer::state_text() const
+Insets Viewer::wanted_insets(uvec2 pixels) const
+{
+    Insets wanted;
+    if (!show_gui_) return wanted;
+    wanted.size = gui::lay_out_insets(pixels, gui_.scale(), model_.pinned.size()).image;
+    for (const gui::PinnedBuffer& p : model_.pinned)
+        wanted.buffers.push_back({parse_aov(p.name, model_.lights), p.view});
+    return wanted;
+}
+
+std::string Viewer::state_text(uvec2 pixels) const
 {
     std::string text;
+    for (const Inset& inset : wanted_insets(pixels).buffers) {
+        BufferViewSettings view = inset.view;
+        SettingList keys;
+        describe(keys, view);
+        text += fmt::format("{} {}", inset.aov.info->name, inset.aov.light);
+        for (const Setting& key : keys.all()) text += key.get();
+    }
     for (const auto& [key, value] : describe_frame(wanted_frame({16, 9}), 0)) text += key + value;
     return text;
 }
@@ -252,7 +283,8 @@ FrameRequest Viewer::wanted_picture(uvec2 size) const
 {
     FrameRequest wanted = wanted_frame(size);
     wanted.want_picture = true;
-    wanted.keep_picture = wanted.remember = false;
+    wanted.keep_picture = wanted.remember = wanted.keep_buffers = false;
+    wanted.insets = {};
     return wanted;
 }
 
@@ -292,7 +324,7 @@ void Viewer::write_costs(gui::CostFile kind)
 
 void Viewer::draw_scene(uvec2 pixels, bool moving)
 {
-    const std::string wanted = state_text();
+    const std::string wanted = state_text(pixels);
     const bool same = wanted == drawn_ && pixels == drawn_pixels_;
     const float chosen = model_.settings.view.moving_scale;
     const float share = moving && !same ? (chosen > 0 ? chosen : moving_scale_.choose(moving_goal_ms)) : 1;
@@ -303,6 +335,8 @@ void Viewer::draw_scene(uvec2 pixels, bool moving)
     request_.previous_camera = before;
     request_.want_picture = request_.want_hdr = false;
     request_.keep_picture = true;
+    request_.insets = wanted_insets(pixels);
+    request_.keep_buffers = share == 1;
     request_.want_statistics = share == 1;
     request_.remember = share < 1; // what stands is drawn as `render` draws it, whatever was before
     const bool first = drawn_.empty();
@@ -333,6 +367,14 @@ void Viewer::tell(const FrameResult& frame)
         cost.passes.push_back({p.name, p.gpu_ms, p.draws, p.gpu_start_ms});
     for (const gui::HeapFacts& heap : facts_.heaps) cost.memory_bytes += heap.used;
     facts_.costs.add(std::move(cost));
+    facts_.buffers.clear();
+    const auto shown = [&](const std::string& name) {
+        if (facts_.buffers.size() < frame.buffers.size()) {
+            facts_.buffers.push_back({name, frame.buffers[facts_.buffers.size()]});
+        }
+    };
+    if (!request_.settings.debug.view.empty()) shown(request_.settings.debug.view);
+    for (const gui::PinnedBuffer& p : model_.pinned) shown(p.name);
 }
 
 } // namespace atrium::app

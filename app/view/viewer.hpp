@@ -67,13 +67,15 @@ private:
     void write_screenshot(uvec2 pixels);
     void write_comparison(uvec2 pixels);
     void write_costs(gui::CostFile kind);
+    /// The buffers to show beside the picture, in a window of so many pixels; none while the interface is hidden.
+    [[nodiscard]] Insets wanted_insets(uvec2 pixels) const;
     /// A request for what is to be shown now, at that size.
     [[nodiscard]] FrameRequest wanted_frame(uvec2 size) const;
     /// The same to be read back, which leaves what the window shows as it is.
     [[nodiscard]] FrameRequest wanted_picture(uvec2 size) const;
     /// Draws the scene if what it shows is not what is wanted.
     void draw_scene(uvec2 pixels, bool moving);
-    [[nodiscard]] std::string state_text() const;
+    [[nodiscard]] std::string state_text(uvec2 pixels) const;
     void tell(const FrameResult& frame);
 
     Window& window_;

@@ -142,6 +142,13 @@ const Setting* SettingList::find(std::string_view key) const
     return nullptr;
 }
 
+void SettingList::offer(std::string_view key, std::vector<std::string> values)
+{
+    for (Setting& setting : settings_) {
+        if (setting.key == key) setting.values = std::move(values);
+    }
+}
+
 std::string SettingList::nearest(std::string_view key) const
 {
     std::vector<std::string> keys;

@@ -51,7 +51,7 @@ struct EnumField {
 struct Setting {
     std::string key, group_title, unit, help;
     std::optional<Range> range;
-    std::vector<std::string> values; ///< of an enum
+    std::vector<std::string> values; ///< of an enum; of text, those that offer() said
     std::string default_text, cpu_default;
     std::variant<bool*, int*, float*, std::string*, vec3*, EnumField> field;
 
@@ -88,6 +88,8 @@ public:
     /// (naming the range) or not one of the values (naming the nearest). `where` is the option or file:line.
     void set(std::string_view key, std::string_view text, ExitCode code, std::string_view where) const;
     void apply_cpu_defaults() const;
+    /// Says what a user may want to choose from for a setting that is text. Others are taken as before.
+    void offer(std::string_view key, std::vector<std::string> values);
 
     /// Key and text of every setting that differs from its default, in order of description.
     [[nodiscard]] std::vector<std::pair<std::string, std::string>> differing() const;

@@ -1,8 +1,14 @@
-// Colour: shared-exponent packing and tone operators. Linear Rec.709 throughout.
+// Colour: sRGB, shared-exponent packing and tone operators. Linear Rec.709 throughout.
 #ifndef COLOR_GLSL
 #define COLOR_GLSL
 
 float luminance(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }
+
+/// Linear from sRGB-encoded. Source: IEC 61966-2-1.
+vec3 srgb_decoded(vec3 c)
+{
+    return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), greaterThan(c, vec3(0.04045)));
+}
 
 /// Three 9-bit mantissas and a 5-bit exponent, 0 to 65408. Source: EXT_texture_shared_exponent.
 uint pack_rgb9e5(vec3 c)

@@ -13,12 +13,5 @@ struct AovPush {
     uint scale;        // aov_ao_raw: pixels along the side of a texel
 };
 
-struct DebugViewPush {
-    uint mode;         // how to show it
-    float low, high;   // range shown from black to white
-    vec2 texels;       // of the AOV, along the sides of a pixel
-};
-const uint view_color = 0, view_scalar = 1, view_vector = 2, view_index = 3, view_motion = 4;
-
 SHARED_END
 #endif

@@ -4,7 +4,8 @@
 #include "types.h"
 SHARED_BEGIN
 
-const uint ui_font = 0, ui_picture = 1; // what a triangle is textured with: the font's coverage, the frame
+// What a triangle is textured with: the font's coverage, the frame, the buffers beside it.
+const uint ui_font = 0, ui_picture = 1, ui_insets = 2;
 
 struct UiVertex {
     vec2 position; // pixels from the window's upper left

@@ -15,7 +15,7 @@ namespace {
 
 using test::HeadlessGui;
 
-constexpr Tab all_tabs[]{Tab::settings, Tab::lights, Tab::camera, Tab::costs, Tab::help};
+constexpr Tab all_tabs[]{Tab::settings, Tab::lights, Tab::buffers, Tab::camera, Tab::costs, Tab::help};
 
 FrameFacts busy_frame()
 {

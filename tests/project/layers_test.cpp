@@ -31,7 +31,7 @@ const std::map<std::string, std::set<std::string>>& allowed()
         {"app",
          {"app/gui", "renderer", "renderer/core", "renderer/scene", "renderer/gpu", "renderer/graph",
           "renderer/materials", "renderer/techniques", "shaders"}},
-        {"app/gui", {"app", "renderer", "renderer/core", "renderer/scene"}},
+        {"app/gui", {"app", "renderer", "renderer/core", "renderer/scene", "shaders"}},
         {"shaders", {"renderer/core", "shaders"}},
     };
     return table;

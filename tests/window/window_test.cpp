@@ -77,7 +77,7 @@ TEST_F(Viewed, the_selected_light_follows_ctrl_and_drag)
 
 TEST_F(Viewed, bookmarks_are_kept_and_gone_to)
 {
-    desktop->click(window, {174, 140}); // the tab of the camera
+    desktop->click(window, {220, 140}); // the tab of the camera
     ASSERT_TRUE(settle());
     const ivec2 field{158, 342}, hero{70, 375}, fountain{70, 395}, bookmark{70, 495}; // lines of the list
     const Image8 start = scene();
@@ -109,17 +109,48 @@ TEST_F(Viewed, a_light_s_mark_is_clicked_and_dragged)
     EXPECT_EQ(mean_difference(start, scene()), 0);
 }
 
+TEST_F(Viewed, buffers_take_the_place_of_the_picture_and_stand_beside_it)
+{
+    const Image8 start = scene();
+    EXPECT_GT(change([] { desktop->tap("period"); }), 3); // depth
+    EXPECT_GT(change([] { desktop->tap("comma"); }), 3);
+    EXPECT_EQ(mean_difference(start, scene()), 0);
+
+    desktop->click(window, {160, 140}); // the tab of buffers
+    ASSERT_TRUE(settle());
+    const Image8 whole = scene();
+    EXPECT_GT(change([] { desktop->click(window, {35, 230}); }), 1);    // pins depth
+    EXPECT_GT(change([] { desktop->click(window, {35, 290}); }), 1);    // and the normal
+    EXPECT_GT(change([] { desktop->click(window, {470, 430}); }), 3);   // enlarges it
+    EXPECT_GT(change([] { desktop->move(window, {600, 250}); }), 0.01); // the value under the mouse
+    picture("window-buffers");
+    const double before = program->cpu_seconds();
+    std::this_thread::sleep_for(2s);
+    EXPECT_LT((program->cpu_seconds() - before) / 2, 0.05); // rests with buffers too
+    EXPECT_GT(change([] { desktop->tap("comma"); }), 3);    // before depth is the picture
+    EXPECT_GT(change([] { desktop->click(window, {35, 290}); }), 1);
+    EXPECT_GT(change([] { desktop->click(window, {35, 230}); }), 1);
+    EXPECT_EQ(mean_difference(whole, scene()), 0);
+}
+
 TEST_F(Viewed, a_screenshot_is_drawn_again_to_the_byte)
 {
-    const fs::path shot = folder / "atrium.0000.png", again = folder / "again.png";
-    desktop->tap("F12");
-    for (int i = 0; i < 100 && !fs::exists(shot); ++i) std::this_thread::sleep_for(100ms);
-    ASSERT_TRUE(fs::exists(shot)); // which appears whole
-    const std::string command = std::string(ATRIUM_BIN) + "/atrium render " +
-                                (folder / "courtyard" / "courtyard.toml").string() + " --config " + shot.string() +
-                                " -o " + again.string() + " --quiet";
-    ASSERT_EQ(std::system(command.c_str()), 0);
-    EXPECT_TRUE(bytes_of(shot) == bytes_of(again));
+    for (const char* name : {"atrium.0000.png", "atrium.0001.png"}) { // of the picture, and of a buffer in its place
+        const fs::path shot = folder / name, again = folder / "again.png";
+        desktop->tap("F12");
+        for (int i = 0; i < 100 && !fs::exists(shot); ++i) std::this_thread::sleep_for(100ms);
+        ASSERT_TRUE(fs::exists(shot)); // which appears whole
+        const std::string command = std::string(ATRIUM_BIN) + "/atrium render " +
+                                    (folder / "courtyard" / "courtyard.toml").string() + " --config " + shot.string() +
+                                    " -o " + again.string() + " --quiet";
+        ASSERT_EQ(std::system(command.c_str()), 0);
+        EXPECT_TRUE(bytes_of(shot) == bytes_of(again)) << name;
+        desktop->tap("period");
+        ASSERT_TRUE(settle());
+    }
+    EXPECT_GT(mean_difference(read_png(folder / "atrium.0000.png"), read_png(folder / "atrium.0001.png")), 3);
+    desktop->tap("comma");
+    desktop->tap("comma");
     ASSERT_TRUE(settle());
 }
 
@@ -231,7 +262,7 @@ TEST_F(Viewed, writes_what_frames_cost)
         EXPECT_TRUE(settle());
     };
     click({52, 170});  // puts the screenshot's message away, of two lines
-    click({239, 139}); // the tab of costs
+    click({276, 139}); // the tab of costs
     picture("window-costs");
     click({65, 345});  // save as JSON
     click({52, 156});  // its message, of one

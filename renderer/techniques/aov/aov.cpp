@@ -116,18 +116,4 @@ graph::Tex add_aov(graph::Graph& g, const Aov& aov, const AovInputs& in, float e
     }
 }
 
-graph::Tex add_debug_view(graph::Graph& g, graph::Tex aov, const AovInfo& info, uvec2 size, float scene_size)
-{
-    const vec2 texels = vec2(g.desc(aov).width, g.desc(aov).height) / vec2(size);
-    const graph::Tex picture = g.texture("debug_view", {Format::rgba8_srgb, size.x, size.y});
-    const bool whole_scene = info.low == info.high;
-    const float low = whole_scene && info.channels == 3 ? -0.5f * scene_size : info.low;
-    const float high = whole_scene ? (info.channels == 3 ? 0.5f : 1.0f) * scene_size : info.high;
-    g.raster("debug_view")
-        .reads(aov)
-        .writes(picture)
-        .fullscreen("techniques/aov/debug_view.frag", {}, shared::DebugViewPush{info.view_mode, low, high, texels});
-    return picture;
-}
-
 } // namespace atrium

@@ -51,7 +51,7 @@ struct AovInfo {
     std::uint32_t kind;      ///< shared::aov_…
     float background;        ///< where the technique is off
     std::uint32_t view_mode; ///< shared::view_…: how debug.view shows it
-    float low, high;         ///< range shown; low == high: 0 to a scene's size
+    float low, high;         ///< range shown; both 0: up to a scene's size
 };
 
 /// An AOV that was asked for: the table's row and, where it has one, the light.
@@ -64,6 +64,8 @@ struct Aov {
 
 /// "depth", "light.key", "visibility.0"… Throws Error(usage) naming the nearest valid AOV or light.
 [[nodiscard]] Aov parse_aov(std::string_view name, std::span<const Light> lights);
+/// All that parse_aov() takes: those of a light once for each.
+[[nodiscard]] std::vector<std::string> aov_names(std::span<const Light> lights);
 
 /// What AOVs are made from.
 struct AovInputs {
@@ -84,9 +86,5 @@ struct AovInputs {
 
 /// Writes the AOV (R32F or RGBA32F; `channels` of them mean something), render size.
 [[nodiscard]] graph::Tex add_aov(graph::Graph& g, const Aov& aov, const AovInputs& in, float exposure);
-
-/// Shows an AOV's image as a picture of `size` pixels (RGBA8 sRGB). `scene_size` is the range of distances, m.
-[[nodiscard]] graph::Tex add_debug_view(graph::Graph& g, graph::Tex aov, const AovInfo& info, uvec2 size,
-                                        float scene_size);
 
 } // namespace atrium

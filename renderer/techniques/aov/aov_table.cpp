@@ -4,6 +4,7 @@
 #include "renderer/core/nearest_name.hpp"
 #include "renderer/techniques/aov/aov.hpp"
 #include "shaders/shared/aov.h"
+#include "shaders/shared/buffer_view.h"
 #include "shaders/shared/shadow.h"
 
 #include <fmt/format.h>
@@ -22,8 +23,8 @@ constexpr AovSource gbuffer = AovSource::gbuffer;
 constexpr std::array<AovInfo, 25> table{{
     {"depth", false, 1, gbuffer, aov_depth, 0, view_scalar, 0, 0},
     {"position", false, 3, gbuffer, aov_position, 0, view_color, 0, 0},
-    {"geometric_normal", false, 3, gbuffer, aov_geometric_normal, 0, view_vector, 0, 1},
-    {"normal", false, 3, gbuffer, aov_normal, 0, view_vector, 0, 1},
+    {"geometric_normal", false, 3, gbuffer, aov_geometric_normal, 0, view_vector, -1, 1},
+    {"normal", false, 3, gbuffer, aov_normal, 0, view_vector, -1, 1},
     {"albedo", false, 3, gbuffer, aov_albedo, 0, view_color, 0, 1},
     {"roughness", false, 1, gbuffer, aov_roughness, 0, view_scalar, 0, 1},
     {"metallic", false, 1, gbuffer, aov_metallic, 0, view_scalar, 0, 1},
@@ -52,6 +53,18 @@ constexpr std::array<AovInfo, 25> table{{
 std::span<const AovInfo> aov_table()
 {
     return table;
+}
+
+std::vector<std::string> aov_names(std::span<const Light> lights)
+{
+    std::vector<std::string> names;
+    for (const AovInfo& info : aov_table()) {
+        if (!info.per_light)
+            names.emplace_back(info.name);
+        else
+            for (const Light& light : lights) names.push_back(fmt::format("{}.{}", info.name, light.name));
+    }
+    return names;
 }
 
 Aov parse_aov(std::string_view name, std::span<const Light> lights)
