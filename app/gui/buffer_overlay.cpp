@@ -26,6 +26,11 @@ std::string short_text(float value)
     return fmt::format("{:.3g}", value);
 }
 
+float width_of(const std::string& text)
+{
+    return ImGui::CalcTextSize(text.c_str()).x;
+}
+
 void text_at(float x, const std::string& text)
 {
     ImGui::SetCursorPosX(x);
@@ -38,7 +43,7 @@ void draw_thirds(const std::array<std::string, 3>& texts, float width)
     const float left = ImGui::GetCursorPosX();
     for (std::size_t i = 0; i < texts.size(); ++i) {
         if (i > 0) ImGui::SameLine();
-        text_at(left + 0.5f * static_cast<float>(i) * (width - ImGui::CalcTextSize(texts[i].c_str()).x), texts[i]);
+        text_at(left + 0.5f * static_cast<float>(i) * (width - width_of(texts[i])), texts[i]);
     }
 }
 
@@ -57,7 +62,7 @@ void draw_bar(const BufferFacts& facts, bool viridis, float width)
     const float gap = ImGui::GetStyle().ItemSpacing.x, height = ImGui::GetTextLineHeight();
     ImGui::TextUnformatted(low.c_str());
     ImGui::SameLine();
-    const float bar = width - ImGui::CalcTextSize(low.c_str()).x - ImGui::CalcTextSize(high.c_str()).x - 2 * gap;
+    const float bar = width - width_of(low) - width_of(high) - 2 * gap;
     const ImVec2 from = ImGui::GetCursorScreenPos();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     for (int i = 0; i < steps; ++i) {
@@ -86,12 +91,21 @@ void draw_legend(const AovInfo& info, const BufferViewSettings& view, const Buff
     draw_thirds({number(facts.low), number(facts.mean), number(facts.high)}, width);
 }
 
+/// Without its end, if need be, but never a part of a character.
+std::string shortened(std::string text, float width)
+{
+    if (width_of(text) <= width) return text;
+    const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xc0u) == 0x80u; }; // in UTF-8
+    while (!text.empty() && width_of(text + "...") > width) {
+        while (continues(text.back()) && text.size() > 1) text.pop_back();
+        text.pop_back();
+    }
+    return text + "...";
+}
+
 void draw_name(const std::string& name, float width)
 {
-    const ImVec2 from = ImGui::GetCursorScreenPos();
-    ImGui::PushClipRect(from, {from.x + width, from.y + ImGui::GetFrameHeight()}, true);
-    ImGui::TextUnformatted(name.c_str());
-    ImGui::PopClipRect();
+    ImGui::TextUnformatted(shortened(name, width).c_str());
 }
 
 void draw_values(const FrameFacts& facts, std::size_t buffer, vec2 at)

@@ -27,8 +27,8 @@ vec2 step_of(float width, const Space& space)
 float width_in(const Space& space, std::size_t columns, std::size_t count)
 {
     const float width = std::min(widest, space.size.x / static_cast<float>(columns) - 2 * padding - margin);
-    const auto rows = static_cast<float>((count + columns - 1) / columns);
-    return rows * step_of(width, space).y <= space.size.y ? width : 0;
+    const std::size_t rows = (count + columns - 1) / columns;
+    return static_cast<float>(rows) * step_of(width, space).y <= space.size.y ? width : 0;
 }
 
 } // namespace

@@ -145,7 +145,9 @@ const Setting* SettingList::find(std::string_view key) const
 void SettingList::offer(std::string_view key, std::vector<std::string> values)
 {
     for (Setting& setting : settings_) {
-        if (setting.key == key) setting.values = std::move(values);
+        if (setting.key != key) continue;
+        setting.values = std::move(values);
+        return;
     }
 }
 
