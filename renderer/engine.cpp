@@ -213,7 +213,7 @@ bool Engine::has_wanted_mode() const
     return state_->swapchain->has_wanted_mode();
 }
 
-ShowResult Engine::show(const UiDraws& ui)
+ShowResult Engine::show(const UiDraws& ui, float divider)
 {
     ShowResult result;
     State& s = *state_;
@@ -221,9 +221,12 @@ ShowResult Engine::show(const UiDraws& ui)
     if (target) {
         graph::Graph g;
         const graph::Tex window = g.import("window", *target->image);
+        s.ui.add_pictures(g, window, divider);
         s.ui.add(g, window, ui);
         g.keep(window, gpu::Access::present);
-        result.ms = s.runner.run(g, gpu::TimerMode::overlapped, target->sync).wall_ms;
+        const graph::RunStats stats = s.runner.run(g, gpu::TimerMode::overlapped, target->sync);
+        result.picture_ms = stats.passes.front().gpu_ms;
+        result.interface_ms = stats.wall_ms - result.picture_ms;
     }
     s.swapchain_stale = !target || !s.swapchain->present();
     result.done = !s.swapchain_stale;
@@ -289,7 +292,8 @@ FrameResult Engine::render(const FrameRequest& request)
 void Engine::keep_shown(graph::Graph& g, const Frame& frame, const FrameRequest& request)
 {
     State& s = *state_;
-    s.ui.keep_picture(g, frame.picture);
+    s.ui.keep_picture(g, frame.picture, *request.keep_picture);
+    if (request.keep_picture != PictureSlot::main) return;
     if (frame.insets) s.ui.keep_insets(g, frame.insets);
     s.kept_readbacks.begin();
     s.kept_buffers.clear();

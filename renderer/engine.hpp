@@ -43,10 +43,10 @@ struct FrameRequest {
     Settings settings;
     std::vector<Aov> aovs;
     bool want_picture = true, want_hdr = false;
-    bool keep_picture = false;    ///< on the device, for show(); the insets too
-    Insets insets;                ///< at most max_insets
-    bool keep_buffers = false;    ///< values of the buffers shown, for buffer_value()
-    bool want_statistics = false; ///< triangles and material changes, read back from the device
+    std::optional<PictureSlot> keep_picture; ///< on the device, for show(); the insets too
+    Insets insets;                           ///< at most max_insets
+    bool keep_buffers = false;               ///< values of the buffers shown, for buffer_value()
+    bool want_statistics = false;            ///< triangles and material changes, read back from the device
     /// Begin with what the frame before saw: faster while cameras move little. Where surfaces lie at the same depth, it
     /// can then depend on the frame before which of them is seen.
     bool remember = false;
@@ -65,8 +65,9 @@ struct FrameResult {
 };
 
 struct ShowResult {
-    bool done = false; ///< else the window has changed in between; the next window_size() tells how
-    double ms = 0;     ///< recording and drawing: neither the picture itself nor waiting for the display
+    bool done = false;       ///< else the window has changed in between; the next window_size() tells how
+    double picture_ms = 0;   ///< bringing the pictures into the window
+    double interface_ms = 0; ///< drawing the user interface over them
 };
 
 class Engine {
@@ -96,8 +97,8 @@ public:
     [[nodiscard]] uvec2 window_size(uvec2 wanted, gpu::PresentMode mode);
     /// Whether the window offers that mode; else it has PresentMode::on.
     [[nodiscard]] bool has_wanted_mode() const;
-    /// Shows the picture kept last under a user interface.
-    ShowResult show(const UiDraws& ui);
+    /// Shows the pictures kept last under a user interface: the main one, and left of `divider` (pixels) the other.
+    ShowResult show(const UiDraws& ui, float divider = 0);
 
     [[nodiscard]] const gpu::Device& device() const;
     [[nodiscard]] const GpuScene& scene() const;

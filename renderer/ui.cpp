@@ -40,34 +40,54 @@ void Ui::keep(graph::Graph& g, graph::Tex from, gpu::Image& image, const std::st
     if (image.desc().width != desc.width || image.desc().height != desc.height) {
         image = gpu::Image(device_, name,
                            {gpu::Format::rgba8_unorm, desc.width, desc.height, 1, 1,
-                            VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT});
+                            VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
     }
     const graph::Tex kept = g.import(name, image);
-    g.raster(name + ".keep").reads(from).writes(kept).fullscreen("ui/keep.frag");
+    // Copied as they stand, colours stay encoded, as the interface over them is.
+    g.transfer(name + ".keep").reads(from).writes(kept).record([=](graph::Cmd& cmd) { cmd.copy(from, kept); });
     g.keep(kept, gpu::Access::sampled_fragment);
 }
 
-void Ui::keep_picture(graph::Graph& g, graph::Tex picture)
+void Ui::keep_picture(graph::Graph& g, graph::Tex picture, PictureSlot slot)
 {
-    keep(g, picture, picture_, "ui.picture");
-    picture_kept_ = true;
+    const bool main = slot == PictureSlot::main;
+    keep(g, picture, pictures_[main ? 0 : 1], main ? "ui.picture" : "ui.other_picture");
 }
 
 void Ui::keep_insets(graph::Graph& g, graph::Tex insets)
 {
     keep(g, insets, insets_, "ui.insets");
-    insets_kept_ = true;
+}
+
+void Ui::add_pictures(graph::Graph& g, graph::Tex window, float divider)
+{
+    const gpu::Image& first = pictures_[0];
+    const gpu::Image& second = divider > 0 && pictures_[1].view() ? pictures_[1] : first;
+    if (!first.view()) throw std::logic_error("a window's contents before any picture");
+    const graph::TexDesc& size = g.desc(window);
+    const auto fits = [&](const gpu::Image& i) {
+        return i.desc().width == size.width && i.desc().height == size.height;
+    };
+    const bool texel_by_texel = fits(first) && fits(second);
+    const vec2 inv_size(1.0f / static_cast<float>(size.width), 1.0f / static_cast<float>(size.height));
+    const graph::Tex main = g.import("ui.picture", first, gpu::Access::sampled_fragment);
+    const graph::Tex other =
+        &second == &first ? main : g.import("ui.other_picture", second, gpu::Access::sampled_fragment);
+    g.raster("pictures")
+        .reads(main)
+        .reads(other)
+        .writes(window)
+        .fullscreen("ui/pictures.frag", {texel_by_texel ? 1u : 0u}, shared::PicturesPush{inv_size, divider});
 }
 
 void Ui::add(graph::Graph& g, graph::Tex window, const UiDraws& draws)
 {
-    if (!picture_kept_) throw std::logic_error("a user interface before any picture");
     write(device_, vertices_, "ui.vertices", draws.vertices, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     write(device_, indices_, "ui.indices", draws.indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
     const graph::Buf vertices = g.import("ui.vertices", vertices_);
     const graph::Buf indices = g.import("ui.indices", indices_);
-    const graph::Tex picture = g.import("ui.picture", picture_, gpu::Access::sampled_fragment);
-    const graph::Tex insets = insets_kept_ ? g.import("ui.insets", insets_, gpu::Access::sampled_fragment) : picture;
+    const graph::Tex font = g.import("ui.font", font_, gpu::Access::sampled_fragment);
+    const graph::Tex insets = insets_.view() ? g.import("ui.insets", insets_, gpu::Access::sampled_fragment) : font;
     gpu::GraphicsPipelineDesc state;
     state.vertex = "ui/ui.vert";
     state.fragment = "ui/ui.frag";
@@ -75,12 +95,11 @@ void Ui::add(graph::Graph& g, graph::Tex window, const UiDraws& draws)
     const graph::TexDesc& size = g.desc(window);
     const vec2 inv_size(1.0f / static_cast<float>(size.width), 1.0f / static_cast<float>(size.height));
     g.raster("ui")
-        .reads(g.import("ui.font", font_, gpu::Access::sampled_fragment))
-        .reads(picture)
+        .reads(font)
         .reads(insets)
         .reads(vertices)
         .reads(indices, gpu::Access::index_read)
-        .writes(window, graph::Load::clear)
+        .writes(window, graph::Load::keep)
         .pipeline(state)
         .record([commands = draws.commands, indices, inv_size](graph::Cmd& cmd) {
             cmd.bind();

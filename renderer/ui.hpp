@@ -1,9 +1,11 @@
 #pragma once
-// A window's user interface, drawn over the last picture. Who makes its triangles is the program's affair.
+// A window's contents: the pictures drawn last, and the user interface over them. Who makes its triangles is the
+// program's affair.
 
 #include "renderer/graph/graph.hpp"
 #include "shaders/shared/ui.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -25,7 +27,10 @@ struct UiDraws {
     std::vector<UiCommand> commands;
 };
 
-/// What the device keeps of a user interface: the font, the last picture, and this frame's triangles.
+/// A window shows one picture, or, left of a divider, another one beside it.
+enum class PictureSlot : std::uint8_t { main, other };
+
+/// What the device keeps of a window's contents: the font, the last pictures, and this frame's triangles.
 class Ui {
 public:
     explicit Ui(const gpu::Device& device) : device_(device) {}
@@ -34,20 +39,22 @@ public:
     void set_font(uvec2 size, std::span<const std::byte> rgba);
 
     /// Reads  the frame's picture (RGBA8).  Keeps it.
-    void keep_picture(graph::Graph& g, graph::Tex picture);
+    void keep_picture(graph::Graph& g, graph::Tex picture, PictureSlot slot);
 
     /// The same of the buffers shown beside it, side by side in one image.
     void keep_insets(graph::Graph& g, graph::Tex insets);
 
-    /// Reads  font, kept picture and insets.  Writes  the window's image, all of it.
+    /// Reads  kept pictures.  Writes  the window's image, all of it. `divider`: its first column of the main picture.
+    void add_pictures(graph::Graph& g, graph::Tex window, float divider);
+    /// Reads  font, kept insets.  Writes  over what the window's image shows.
     void add(graph::Graph& g, graph::Tex window, const UiDraws& draws);
 
 private:
-    const gpu::Device& device_;
     void keep(graph::Graph& g, graph::Tex from, gpu::Image& image, const std::string& name) const;
-    gpu::Image font_, picture_, insets_;
+    const gpu::Device& device_;
+    gpu::Image font_, insets_;
+    std::array<gpu::Image, 2> pictures_; ///< by PictureSlot
     gpu::Buffer vertices_, indices_;
-    bool picture_kept_ = false, insets_kept_ = false;
 };
 
 } // namespace atrium

@@ -137,7 +137,7 @@ void draw_cost_tab(const FrameFacts& facts, PanelState& state)
     std::uint32_t draws = 0;
     for (const PassCost& pass : last.passes) draws += pass.draws;
     wrapped(fmt::format("Frame  {:.2f} ms, {:.2f} ms of it on the processor", last.frame_ms, last.cpu_ms));
-    wrapped(fmt::format("Interface  {:.2f} ms", facts.interface_ms));
+    wrapped(fmt::format("Interface  {:.2f} ms, into the window  {:.2f} ms", facts.interface_ms, facts.picture_ms));
     wrapped(fmt::format("Draws  {}, triangles  {}", grouped(draws), grouped(facts.triangles)));
     draw_history(facts, state.scale);
     if (ImGui::Button("save as JSON")) state.save_costs = CostFile::json;

@@ -1,6 +1,7 @@
 #include "app/gui/panels.hpp"
 
 #include "app/gui/controls.hpp"
+#include "app/gui/split_view.hpp"
 #include "app/presets.hpp"
 #include "renderer/core/error.hpp"
 
@@ -84,6 +85,7 @@ void draw_setting_tab(ViewModel& model, PanelState& state, bool is_cpu)
 
     if (flowing_button("open all", true)) state.headings = Headings::open;
     if (flowing_button("close all", false)) state.headings = Headings::close;
+    draw_split_controls(model);
 
     std::vector<std::string> views = model.offered_buffers();
     views.insert(views.begin(), ""); // the picture

@@ -5,6 +5,7 @@
 #include "app/gui/setting_widgets.hpp"
 #include "app/gui/view_model.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -33,7 +34,9 @@ struct FrameFacts {
     bool is_cpu = false; ///< settings then have a CPU device's defaults
     uvec2 size{0};
     std::uint64_t triangles = 0;
-    double interface_ms = 0; ///< what this panel and the rest around the picture take
+    double interface_ms = 0;         ///< what this panel and the rest around the picture take
+    double picture_ms = 0;           ///< what bringing the picture into the window takes
+    std::array<double, 2> side_ms{}; ///< of a split view's last full frames, left and right
     std::vector<HeapFacts> heaps;
     CostHistory costs;
     std::vector<ShownBuffer> buffers; ///< the one in place of the picture, if any, then the pinned ones

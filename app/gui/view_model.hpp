@@ -24,6 +24,12 @@ struct PinnedBuffer {
     BufferViewSettings view;
 };
 
+/// Settings that are drawn beside the model's own, left of a divider.
+struct Split {
+    Settings other;
+    float divider = 0.5f; ///< share of the window's width
+};
+
 /// Everything is public that widgets write to; whoever edits calls checkpoint() when an edit is complete.
 class ViewModel {
 public:
@@ -36,6 +42,7 @@ public:
     Camera camera;
     std::vector<Light> lights;           ///< named, no name twice
     std::optional<std::size_t> selected; ///< of `lights`
+    std::optional<Split> split;          ///< no part of undo and redo
     std::vector<PinnedBuffer> pinned;    ///< at most max_insets, no name twice
     std::string scene_name;
     std::vector<NamedCamera> scene_cameras; ///< of the scene's file

@@ -91,7 +91,6 @@ void Gui::begin(uvec2 pixels)
     ImGui::GetIO().DisplaySize = {static_cast<float>(pixels.x), static_cast<float>(pixels.y)};
     ImGui::GetIO().DisplayFramebufferScale = {1, 1};
     ImGui::NewFrame();
-    ImGui::GetBackgroundDrawList()->AddImage(id_of(shared::ui_picture), {0, 0}, ImGui::GetIO().DisplaySize);
 }
 
 UiDraws Gui::end()

@@ -4,6 +4,7 @@
 #include "app/gui/framing.hpp"
 #include "app/gui/inset_layout.hpp"
 #include "app/gui/notice.hpp"
+#include "app/gui/split_view.hpp"
 #include "app/view/comparison.hpp"
 #include "app/view/numbered_file.hpp"
 #include "renderer/core/atomic_file.hpp"
@@ -77,11 +78,11 @@ void Viewer::run()
     int unsettled = settle_frames;
     bool moving = false, seen = false;
     while (!window_.closed()) {
-        const bool busy = continuous_ || moving || unsettled > 0 || drawn_share_ < 1;
+        const bool busy = continuous_ || moving || unsettled > 0 || unfinished();
         const double wait = reload_.busy() ? job_wait : idle_wait;
         if (window_.poll(busy ? 0 : wait)) unsettled = settle_frames;
         if (reload_.update()) {
-            drawn_share_ = 0; // the picture is out of date, whatever it shows
+            for (KeptPicture& kept : kept_) kept.share = 0; // out of date, whatever they show
             unsettled = settle_frames;
         }
         const double passed = std::min(seconds_since(last), 0.1); // after a wait nothing has moved for so long
@@ -97,9 +98,11 @@ void Viewer::run()
         draw_interface(pixels);
         const UiDraws interface = gui_.end();
         facts_.interface_ms = 1000 * seconds_since(last);
+        const float divider = model_.split ? model_.split->divider * static_cast<float>(pixels.x) : 0;
         draw_scene(pixels, moving || ImGui::IsAnyItemActive() || handles_.holds());
-        const ShowResult shown = engine_.show(interface);
-        facts_.interface_ms += shown.ms;
+        const ShowResult shown = engine_.show(interface, divider);
+        facts_.interface_ms += shown.interface_ms;
+        facts_.picture_ms = shown.picture_ms;
         if (!shown.done) unsettled = settle_frames;
         if (!seen) window_.show(); // with the first picture in it
         seen = true;
@@ -158,6 +161,11 @@ void Viewer::drag_light(vec2 pixels, bool along)
     light.position +=
         along ? -view.pixel_size(light.position) * pixels.y * view.forward : view.in_view_plane(light.position, pixels);
     if (const auto refused = model_.set_light(*model_.selected, light)) panels_.message = *refused;
+}
+
+bool Viewer::unfinished() const
+{
+    return kept_[0].share < 1 || (model_.split && kept_[1].share < 1);
 }
 
 void Viewer::handle_keys(uvec2 pixels)
@@ -238,6 +246,7 @@ void Viewer::draw_interface(uvec2 pixels)
     if (show_gui_) {
         gui::draw_panels(model_, facts_, panels_);
         gui::draw_buffers(model_, facts_, panels_.scale);
+        gui::draw_divider(model_, facts_, panels_.scale);
     }
     if (std::exchange(panels_.frame, false)) frame_selection(pixels);
     if (!reload_.problem().empty())
@@ -245,10 +254,10 @@ void Viewer::draw_interface(uvec2 pixels)
     if (const auto file = std::exchange(panels_.save_costs, std::nullopt)) write_costs(*file);
 }
 
-FrameRequest Viewer::wanted_frame(uvec2 size) const
+FrameRequest Viewer::wanted_frame(const Settings& settings, uvec2 size) const
 {
     FrameRequest wanted = request_;
-    wanted.settings = model_.settings;
+    wanted.settings = settings;
     wanted.camera = wanted.previous_camera = model_.camera;
     wanted.lights = model_.lights;
     wanted.size = size;
@@ -265,7 +274,7 @@ Insets Viewer::wanted_insets(uvec2 pixels) const
     return wanted;
 }
 
-std::string Viewer::state_text(uvec2 pixels) const
+std::string Viewer::state_text(const Settings& settings, uvec2 pixels) const
 {
     std::string text;
     for (const Inset& inset : wanted_insets(pixels).buffers) {
@@ -275,15 +284,16 @@ std::string Viewer::state_text(uvec2 pixels) const
         text += fmt::format("{} {}", inset.aov.info->name, inset.aov.light);
         for (const Setting& key : keys.all()) text += key.get();
     }
-    for (const auto& [key, value] : describe_frame(wanted_frame({16, 9}), 0)) text += key + value;
+    for (const auto& [key, value] : describe_frame(wanted_frame(settings, {16, 9}), 0)) text += key + value;
     return text;
 }
 
 FrameRequest Viewer::wanted_picture(uvec2 size) const
 {
-    FrameRequest wanted = wanted_frame(size);
+    FrameRequest wanted = wanted_frame(model_.settings, size);
     wanted.want_picture = true;
-    wanted.keep_picture = wanted.remember = wanted.keep_buffers = false;
+    wanted.keep_picture.reset();
+    wanted.remember = wanted.keep_buffers = false;
     wanted.insets = {};
     return wanted;
 }
@@ -324,36 +334,45 @@ void Viewer::write_costs(gui::CostFile kind)
 
 void Viewer::draw_scene(uvec2 pixels, bool moving)
 {
-    const std::string wanted = state_text(pixels);
-    const bool same = wanted == drawn_ && pixels == drawn_pixels_;
-    const float chosen = model_.settings.view.moving_scale;
-    const float share = moving && !same ? (chosen > 0 ? chosen : moving_scale_.choose(moving_goal_ms)) : 1;
-    if (same && drawn_share_ >= share && !continuous_) return;
-
     const Camera before = request_.camera;
-    request_ = wanted_frame(glm::max(uvec2(share * vec2(pixels)), uvec2(16)));
+    draw_picture(PictureSlot::main, pixels, moving, before);
+    if (model_.split) draw_picture(PictureSlot::other, pixels, moving, before);
+}
+
+void Viewer::draw_picture(PictureSlot slot, uvec2 pixels, bool moving, const Camera& before)
+{
+    const bool main = slot == PictureSlot::main;
+    const Settings& settings = main ? model_.settings : model_.split->other;
+    KeptPicture& kept = kept_[main ? 0 : 1];
+    const std::string wanted = state_text(settings, pixels);
+    const bool same = wanted == kept.state && pixels == kept.pixels;
+    const float chosen = model_.settings.view.moving_scale;
+    const double goal_ms = model_.split ? 0.5 * moving_goal_ms : moving_goal_ms;
+    const float share = moving && !same ? (chosen > 0 ? chosen : moving_scale_.choose(goal_ms)) : 1;
+    if (same && kept.share >= share && !continuous_) return;
+
+    request_ = wanted_frame(settings, glm::max(uvec2(share * vec2(pixels)), uvec2(16)));
     request_.previous_camera = before;
     request_.want_picture = request_.want_hdr = false;
-    request_.keep_picture = true;
-    request_.insets = wanted_insets(pixels);
-    request_.keep_buffers = share == 1;
+    request_.keep_picture = slot;
+    if (main) request_.insets = wanted_insets(pixels);
+    request_.keep_buffers = main && share == 1;
     request_.want_statistics = share == 1;
     request_.remember = share < 1; // what stands is drawn as `render` draws it, whatever was before
-    const bool first = drawn_.empty();
-    drawn_ = wanted;
-    drawn_pixels_ = pixels;
-    drawn_share_ = share;
+    const bool first = kept.state.empty();
+    kept = {wanted, pixels, share};
     FrameResult frame;
     try {
         frame = engine_.render(request_);
     } catch (const Error& error) { // such as a view that does not exist: what was shown before stays
         if (first) throw;
         panels_.message = error.text();
-        drawn_share_ = 1;
+        kept.share = 1;
         return;
     }
     moving_scale_.measured(share, whole_ms(frame));
-    tell(frame);
+    if (share == 1) facts_.side_ms[main ? 1 : 0] = whole_ms(frame);
+    if (main) tell(frame);
 }
 
 void Viewer::tell(const FrameResult& frame)

@@ -9,6 +9,7 @@
 #include "app/view/key_bindings.hpp"
 #include "app/view/shader_reload.hpp"
 
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <optional>
@@ -70,12 +71,16 @@ private:
     /// The buffers to show beside the picture, in a window of so many pixels; none while the interface is hidden.
     [[nodiscard]] Insets wanted_insets(uvec2 pixels) const;
     /// A request for what is to be shown now, at that size.
-    [[nodiscard]] FrameRequest wanted_frame(uvec2 size) const;
+    [[nodiscard]] FrameRequest wanted_frame(const Settings& settings, uvec2 size) const;
     /// The same to be read back, which leaves what the window shows as it is.
     [[nodiscard]] FrameRequest wanted_picture(uvec2 size) const;
-    /// Draws the scene if what it shows is not what is wanted.
+    /// Draws the scene, at both sides of a split view, where what is shown is not what is wanted.
     void draw_scene(uvec2 pixels, bool moving);
-    [[nodiscard]] std::string state_text(uvec2 pixels) const;
+    /// The same at one side; `before`: the camera of what is shown.
+    void draw_picture(PictureSlot slot, uvec2 pixels, bool moving, const Camera& before);
+    /// Whether what stands is not yet drawn at full size.
+    [[nodiscard]] bool unfinished() const;
+    [[nodiscard]] std::string state_text(const Settings& settings, uvec2 pixels) const;
     void tell(const FrameResult& frame);
 
     Window& window_;
@@ -92,9 +97,12 @@ private:
     MovingScale moving_scale_;
     gpu::PresentMode vsync_ = gpu::PresentMode::on; ///< that was last asked for
     bool continuous_, show_gui_ = true;
-    std::string drawn_;     ///< state_text() of the picture that is kept
-    float drawn_share_ = 0; ///< of the window's pixels along each side
-    uvec2 drawn_pixels_{0};
+    struct KeptPicture {
+        std::string state; ///< state_text() of what it shows
+        uvec2 pixels{0};   ///< of the window for which it was drawn
+        float share = 0;   ///< of them along each side
+    };
+    std::array<KeptPicture, 2> kept_; ///< by PictureSlot
     std::optional<vec2> drag_from_;
     std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 };

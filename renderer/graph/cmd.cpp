@@ -97,16 +97,36 @@ void Cmd::dispatch(std::uint32_t items, std::uint32_t group_size)
     vkCmdDispatch(commands_, (items + group_size - 1) / group_size, 1, 1);
 }
 
+namespace {
+
+VkImageSubresourceLayers first_layer(const TexDesc& desc)
+{
+    return {static_cast<VkImageAspectFlags>(gpu::is_depth(desc.format) ? VK_IMAGE_ASPECT_DEPTH_BIT
+                                                                       : VK_IMAGE_ASPECT_COLOR_BIT),
+            0, 0, 1};
+}
+
+} // namespace
+
 void Cmd::copy(Tex from, Buf to)
 {
     const TexDesc& desc = runner_.graph_->desc(from);
     VkBufferImageCopy region{};
-    region.imageSubresource = {static_cast<VkImageAspectFlags>(gpu::is_depth(desc.format) ? VK_IMAGE_ASPECT_DEPTH_BIT
-                                                                                          : VK_IMAGE_ASPECT_COLOR_BIT),
-                               0, 0, 1};
+    region.imageSubresource = first_layer(desc);
     region.imageExtent = {desc.width, desc.height, 1};
     vkCmdCopyImageToBuffer(commands_, runner_.image_of(from.index), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
                            runner_.buffer_of(to.index), 1, &region);
+}
+
+void Cmd::copy(Tex from, Tex to)
+{
+    const TexDesc& desc = runner_.graph_->desc(from);
+    VkImageCopy region{};
+    region.srcSubresource = first_layer(desc);
+    region.dstSubresource = first_layer(runner_.graph_->desc(to));
+    region.extent = {desc.width, desc.height, 1};
+    vkCmdCopyImage(commands_, runner_.image_of(from.index), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                   runner_.image_of(to.index), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
 }
 
 void Cmd::copy(Buf from, Buf to, std::uint64_t bytes)

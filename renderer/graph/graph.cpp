@@ -101,13 +101,15 @@ PassBuilder& PassBuilder::reads(Buf buffer, Access access)
 
 PassBuilder& PassBuilder::writes(Tex texture, Load load, vec4 clear)
 {
-    return writes_layer(texture, 0, load, clear);
+    if (pass().kind != PassKind::transfer) return writes_layer(texture, 0, load, clear);
+    pass().uses.push_back({texture.index, Access::transfer_write, {}, true});
+    return *this;
 }
 
 PassBuilder& PassBuilder::writes_layer(Tex texture, std::uint32_t layer, Load load, vec4 clear)
 {
     if (pass().kind != PassKind::raster) {
-        throw std::logic_error(fmt::format("pass {}: only raster passes write images", pass().name));
+        throw std::logic_error(fmt::format("pass {}: only raster passes write layers of images", pass().name));
     }
     pass().colors.push_back({texture, load, clear, layer});
     pass().uses.push_back({texture.index, Access::color_write, {0, 1, layer, 1}, load != Load::keep});

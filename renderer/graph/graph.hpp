@@ -65,6 +65,7 @@ public:
     void draw_indexed_indirect(Buf commands, std::uint32_t first, std::uint32_t count);
     void dispatch(std::uint32_t items, std::uint32_t group_size); ///< enough groups for so many items
     void copy(Tex from, Buf to);                                  ///< all texels, rows tightly packed
+    void copy(Tex from, Tex to); ///< all texels as they stand, whatever both formats make of them
     void copy(Buf from, Buf to, std::uint64_t bytes);
     void fill(Buf buffer, std::uint32_t word);
 
@@ -113,7 +114,7 @@ public:
     PassBuilder& reads(Buf buffer);
     PassBuilder& reads(Buf buffer, Access access);
     PassBuilder& writes(Tex texture, Load load = Load::discard,
-                        vec4 clear = vec4(0)); ///< raster: the next colour target
+                        vec4 clear = vec4(0)); ///< raster: the next colour target; transfer: all of it, copied to
     PassBuilder& writes_layer(Tex texture, std::uint32_t layer, Load load = Load::discard, vec4 clear = vec4(0));
     /// All of it. Compute: storage, at the next buffer binding of set 2; transfer: copied to.
     PassBuilder& writes(Buf buffer);

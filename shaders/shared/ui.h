@@ -4,8 +4,8 @@
 #include "types.h"
 SHARED_BEGIN
 
-// What a triangle is textured with: the font's coverage, the frame, the buffers beside it.
-const uint ui_font = 0, ui_picture = 1, ui_insets = 2;
+// What a triangle is textured with: the font's coverage, the buffers beside the picture.
+const uint ui_font = 0, ui_insets = 1;
 
 struct UiVertex {
     vec2 position; // pixels from the window's upper left
@@ -16,6 +16,11 @@ struct UiVertex {
 struct UiPush {
     vec2 inv_size; // of the window, 1 / pixels
     uint image;    // ui_…
+};
+
+struct PicturesPush {
+    vec2 inv_size; // of the window, 1 / pixels
+    float divider; // the first pixel of the main picture; left of it stands the other one
 };
 
 SHARED_END

@@ -6,8 +6,7 @@
 #include "shared/ui.h"
 
 layout(PASS_IMAGE(0)) uniform texture2D font; // coverage in alpha
-layout(PASS_IMAGE(1)) uniform texture2D picture;
-layout(PASS_IMAGE(2)) uniform texture2D insets;
+layout(PASS_IMAGE(1)) uniform texture2D insets;
 layout(push_constant, scalar) uniform Push { UiPush push; };
 layout(location = 0) in vec2 in_uv;
 layout(location = 1) in vec4 in_color;
@@ -15,11 +14,8 @@ layout(location = 0) out vec4 out_color;
 
 void main()
 {
-    vec4 texel;
-    switch (push.image) {
-    case ui_picture: texel = vec4(textureLod(sampler2D(picture, samplers[sampler_linear_clamp]), in_uv, 0.0).rgb, 1.0); break;
-    case ui_insets: texel = vec4(textureLod(sampler2D(insets, samplers[sampler_linear_clamp]), in_uv, 0.0).rgb, 1.0); break;
-    default: texel = textureLod(sampler2D(font, samplers[sampler_linear_clamp]), in_uv, 0.0);
-    }
+    vec4 texel = push.image == ui_insets
+                     ? vec4(textureLod(sampler2D(insets, samplers[sampler_linear_clamp]), in_uv, 0.0).rgb, 1.0)
+                     : textureLod(sampler2D(font, samplers[sampler_linear_clamp]), in_uv, 0.0);
     out_color = in_color * texel;
 }

@@ -115,7 +115,8 @@ TEST(buffer_view, statistics_of_every_buffer_are_those_of_its_values)
     rig.set("ao.method", "gtao");
     rig.look({-8, 1.7f, 0.5f}, {8, 2.5f, 0});
     rig.request.size = {161, 91};
-    rig.request.keep_picture = rig.request.keep_buffers = true;
+    rig.request.keep_picture = PictureSlot::main;
+    rig.request.keep_buffers = true;
     for (const std::string& name : aov_names(rig.request.lights)) {
         const Aov aov = parse_aov(name, rig.request.lights);
         rig.request.insets = {{{aov, {}}}, {40, 23}};
@@ -154,7 +155,7 @@ TEST(buffer_view, keeps_no_values_unless_asked)
 {
     rig::FrameRig rig(wall());
     rig.set("debug.view", "depth");
-    rig.request.keep_picture = true;
+    rig.request.keep_picture = PictureSlot::main;
     static_cast<void>(rig.render());
     EXPECT_TRUE(rig::engine().buffer_value(0, vec2(0.5f)).empty());
     rig.request.keep_buffers = true;

@@ -102,6 +102,16 @@ protected:
         }
         return false;
     }
+    /// Until the window shows that again.
+    static bool comes_back_to(const Image8& before, std::chrono::seconds most = 20s)
+    {
+        const auto end = std::chrono::steady_clock::now() + most;
+        while (mean_difference(before, desktop->grab(window)) > 0) {
+            if (std::chrono::steady_clock::now() > end) return false;
+            std::this_thread::sleep_for(250ms);
+        }
+        return true;
+    }
     static std::string log()
     {
         std::ifstream in(folder / "log");

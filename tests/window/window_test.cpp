@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -17,6 +18,14 @@ std::string bytes_of(const fs::path& file)
 {
     std::ifstream in(file, std::ios::binary);
     return std::string((std::istreambuf_iterator<char>(in)), {});
+}
+
+Image8 part(const Image8& whole, ivec2 from, ivec2 to)
+{
+    Image8 out(to.x - from.x, to.y - from.y, 3);
+    for (int y = 0; y < out.height; ++y)
+        for (int x = 0; x < out.width; ++x) std::copy_n(whole.at(from.x + x, from.y + y), 3, out.at(x, y));
+    return out;
 }
 
 class Viewed : public ViewedProgram {
@@ -73,6 +82,38 @@ TEST_F(Viewed, the_selected_light_follows_ctrl_and_drag)
               0.02);
     EXPECT_GT(change([] { desktop->tap("z", "Control_L"); }), 0.02);
     EXPECT_EQ(mean_difference(start, scene()), 0); // the view has not turned with it
+}
+
+TEST_F(Viewed, a_split_view_shows_two_settings_with_a_divider)
+{
+    const ivec2 settings_tab{46, 140}, split_view{192, 280}, one_view{48, 308};
+    desktop->click(window, settings_tab);
+    ASSERT_TRUE(settle());
+    const Image8 whole = desktop->grab(window);
+    desktop->click(window, split_view);
+    ASSERT_TRUE(settle());
+    desktop->tap("o"); // of the right side: ambient occlusion by another method
+    ASSERT_TRUE(settle());
+    const Image8 halves = desktop->grab(window);
+    const ivec2 left_from{panel + 4, 60}, middle{window_size.x / 2, 60}, quarter{3 * window_size.x / 4, 60};
+    const auto differ = [&](const Image8& other, ivec2 from, int to) {
+        return mean_difference(part(whole, from, {to - 12, window_size.y}),
+                               part(other, from, {to - 12, window_size.y}));
+    };
+    EXPECT_EQ(differ(halves, left_from, middle.x), 0);
+    EXPECT_GT(differ(halves, middle + ivec2(12, 0), window_size.x), 0.1);
+    picture("window-split");
+
+    desktop->drag(window, {window_size.x / 2, 400}, {3 * window_size.x / 4, 400}, 1);
+    ASSERT_TRUE(settle());
+    const Image8 moved = desktop->grab(window);
+    EXPECT_EQ(differ(moved, middle + ivec2(12, 0), quarter.x), 0);
+    EXPECT_GT(differ(moved, quarter + ivec2(12, 0), window_size.x), 0.1);
+
+    desktop->click(window, one_view);
+    desktop->tap("z", "Control_L");
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(mean_difference(scene_part(whole), scene()), 0);
 }
 
 TEST_F(Viewed, bookmarks_are_kept_and_gone_to)
@@ -215,8 +256,7 @@ TEST_F(Viewed, bears_sizes_minimising_and_full_screen)
     desktop->minimise(window);
     std::this_thread::sleep_for(500ms);
     desktop->restore(window);
-    ASSERT_TRUE(settle());
-    EXPECT_EQ(mean_difference(before, desktop->grab(window)), 0);
+    EXPECT_TRUE(comes_back_to(before));
 
     desktop->focus(window);
     desktop->tap("F11");
