@@ -195,13 +195,25 @@ std::vector<std::string> ViewModel::offered_buffers() const
     return names;
 }
 
+std::string ViewModel::shown_buffer() const
+{
+    if (settings.debug.view.empty()) return {};
+    try {
+        return aov_name(parse_aov(settings.debug.view, lights), lights);
+    } catch (const Error&) {
+        return {};
+    }
+}
+
 void ViewModel::step_buffer(int step)
 {
     std::vector<std::string> names = offered_buffers();
     names.insert(names.begin(), ""); // the picture
     const auto count = static_cast<int>(names.size());
-    const auto at = static_cast<int>(std::find(names.begin(), names.end(), settings.debug.view) - names.begin());
-    const int next = at == count ? 0 : (at + step + count) % count; // one that is no longer offered: to the picture
+    const std::string shown = shown_buffer();
+    const auto at = static_cast<int>(std::find(names.begin(), names.end(), shown) - names.begin());
+    const bool lost = at == count || (shown.empty() && !settings.debug.view.empty());
+    const int next = lost ? 0 : (at + step + count) % count; // to the picture
     settings.debug.view = names[static_cast<std::size_t>(next)];
 }
 

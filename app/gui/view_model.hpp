@@ -85,6 +85,8 @@ public:
 
     /// Those that the settings and lights offer: without those of techniques that are off.
     [[nodiscard]] std::vector<std::string> offered_buffers() const;
+    /// The one in place of the picture, by its light's name; empty: it is the picture, or no buffer has that name.
+    [[nodiscard]] std::string shown_buffer() const;
     /// Shows the next one in place of the picture, or the one before; the picture itself is one of them.
     void step_buffer(int step);
     /// Shows one small, or no longer; nothing where there is room for no more.

@@ -52,6 +52,22 @@ TEST(buffers, steps_go_round_through_the_picture)
     EXPECT_EQ(model.settings.debug.view, "");
 }
 
+TEST(buffers, of_a_light_by_its_index_is_the_one_by_its_name)
+{
+    ViewModel model;
+    model.add_light(LightType::point, vec3(0));
+    const std::string name = "light." + model.lights[0].name;
+    model.settings.debug.view = name;
+    model.step_buffer(1);
+    const std::string next = model.settings.debug.view;
+    model.settings.debug.view = "light.0";
+    EXPECT_EQ(model.shown_buffer(), name);
+    model.step_buffer(1);
+    EXPECT_EQ(model.settings.debug.view, next);
+    model.settings.debug.view = "light.7";
+    EXPECT_EQ(model.shown_buffer(), "");
+}
+
 TEST(buffers, pins_go_with_their_lights_and_have_an_end)
 {
     ViewModel model;
