@@ -106,6 +106,8 @@ private:
     void restore(const Snapshot& snapshot);
     void select(std::size_t index);
     [[nodiscard]] std::string free_light_name() const;
+    /// What is shown of a light is shown under its new name.
+    void rename_buffers(std::size_t light, const std::string& name);
 
     Camera start_camera_;
     Snapshot last_; ///< as of the last checkpoint, undo or redo
