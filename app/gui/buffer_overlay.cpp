@@ -5,7 +5,6 @@
 #include "shaders/shared/buffer_view.h"
 #include "shaders/shared/viridis.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -179,9 +178,8 @@ void draw_insets(ViewModel& model, const FrameFacts& facts, float scale)
 }
 
 /// Legend of the buffer in place of the picture.
-void draw_full_view(ViewModel& model, const FrameFacts& facts, float scale)
+void draw_full_view(ViewModel& model, const std::string& name, const FrameFacts& facts, float scale)
 {
-    const std::string name = model.settings.debug.view;
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({display.x - margin * scale, margin * scale}, ImGuiCond_Always, {1, 0});
     if (ImGui::Begin("full view", nullptr, flags)) {
@@ -200,9 +198,7 @@ void draw_full_view(ViewModel& model, const FrameFacts& facts, float scale)
 
 void draw_buffers(ViewModel& model, const FrameFacts& facts, float scale)
 {
-    const std::vector<std::string> names = aov_names(model.lights);
-    const std::string& view = model.settings.debug.view;
-    if (std::find(names.begin(), names.end(), view) != names.end()) draw_full_view(model, facts, scale);
+    if (const std::string name = model.shown_buffer(); !name.empty()) draw_full_view(model, name, facts, scale);
     model.drop_lost_buffers();
     draw_insets(model, facts, scale);
 }

@@ -11,7 +11,7 @@
 namespace atrium::gui {
 namespace {
 
-void draw_row(ViewModel& model, const std::string& name)
+void draw_row(ViewModel& model, const std::string& name, bool shown)
 {
     const auto is_it = [&](const PinnedBuffer& p) { return p.name == name; };
     bool pinned = std::any_of(model.pinned.begin(), model.pinned.end(), is_it);
@@ -23,7 +23,6 @@ void draw_row(ViewModel& model, const std::string& name)
     ImGui::PopStyleVar();
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Show it small at the bottom of the view");
     ImGui::SameLine();
-    const bool shown = model.settings.debug.view == name;
     if (ImGui::Selectable(name.c_str(), shown)) model.settings.debug.view = name;
     ImGui::PopID();
 }
@@ -34,10 +33,11 @@ void draw_list(ViewModel& model, const std::string& filter)
     const float height = lines * ImGui::GetTextLineHeightWithSpacing() + 2.0f * ImGui::GetStyle().WindowPadding.y;
     ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
     if (ImGui::BeginChild("buffers", {0, height}, true)) {
+        const std::string shown = model.shown_buffer();
         bool any = false;
         for (const std::string& name : model.offered_buffers()) {
             if (!contains_words(name, filter)) continue;
-            draw_row(model, name);
+            draw_row(model, name, name == shown);
             any = true;
         }
         if (!any) ImGui::TextDisabled("No buffer matches.");

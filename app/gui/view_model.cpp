@@ -9,6 +9,20 @@
 #include <fmt/format.h>
 
 namespace atrium::gui {
+namespace {
+
+/// None for the picture, and where there is no buffer of that name.
+std::optional<Aov> find_buffer(const std::string& name, std::span<const Light> lights)
+{
+    if (name.empty()) return std::nullopt;
+    try {
+        return parse_aov(name, lights);
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
+} // namespace
 
 ViewModel::ViewModel()
 {
@@ -166,6 +180,7 @@ void ViewModel::remove_selected()
     if (!selected || *selected >= lights.size()) return;
     lights.erase(lights.begin() + static_cast<std::ptrdiff_t>(*selected));
     select(*selected);
+    if (shown_buffer().empty()) settings.debug.view.clear(); // it was the light's
 }
 
 std::optional<std::string> ViewModel::set_light(std::size_t index, Light light)
@@ -179,7 +194,8 @@ std::optional<std::string> ViewModel::set_light(std::size_t index, Light light)
     for (std::size_t i = 0; i < lights.size(); ++i) {
         if (i != index && lights[i].name == light.name) return fmt::format("another light is called {}", light.name);
     }
-    lights.at(index) = std::move(light);
+    if (light.name != lights.at(index).name) rename_buffers(index, light.name);
+    lights[index] = std::move(light);
     return std::nullopt;
 }
 
@@ -195,13 +211,31 @@ std::vector<std::string> ViewModel::offered_buffers() const
     return names;
 }
 
+std::string ViewModel::shown_buffer() const
+{
+    const auto aov = find_buffer(settings.debug.view, lights);
+    return aov ? aov_name(*aov, lights) : "";
+}
+
+void ViewModel::rename_buffers(std::size_t light, const std::string& name)
+{
+    const auto rename = [&](std::string& buffer) {
+        const auto aov = find_buffer(buffer, lights);
+        if (aov && aov->info->per_light && aov->light == light) buffer = fmt::format("{}.{}", aov->info->name, name);
+    };
+    rename(settings.debug.view);
+    for (PinnedBuffer& p : pinned) rename(p.name);
+}
+
 void ViewModel::step_buffer(int step)
 {
     std::vector<std::string> names = offered_buffers();
     names.insert(names.begin(), ""); // the picture
     const auto count = static_cast<int>(names.size());
-    const auto at = static_cast<int>(std::find(names.begin(), names.end(), settings.debug.view) - names.begin());
-    const int next = at == count ? 0 : (at + step + count) % count; // one that is no longer offered: to the picture
+    const std::string shown = shown_buffer();
+    const auto at = static_cast<int>(std::find(names.begin(), names.end(), shown) - names.begin());
+    const bool lost = at == count || (shown.empty() && !settings.debug.view.empty());
+    const int next = lost ? 0 : (at + step + count) % count; // to the picture
     settings.debug.view = names[static_cast<std::size_t>(next)];
 }
 

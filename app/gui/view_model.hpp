@@ -92,6 +92,8 @@ public:
 
     /// Those that the settings and lights offer: without those of techniques that are off.
     [[nodiscard]] std::vector<std::string> offered_buffers() const;
+    /// The one in place of the picture, by its light's name; empty: it is the picture, or no buffer has that name.
+    [[nodiscard]] std::string shown_buffer() const;
     /// Shows the next one in place of the picture, or the one before; the picture itself is one of them.
     void step_buffer(int step);
     /// Shows one small, or no longer; nothing where there is room for no more.
@@ -111,6 +113,8 @@ private:
     void restore(const Snapshot& snapshot);
     void select(std::size_t index);
     [[nodiscard]] std::string free_light_name() const;
+    /// What is shown of a light is shown under its new name.
+    void rename_buffers(std::size_t light, const std::string& name);
 
     Camera start_camera_;
     Snapshot last_; ///< as of the last checkpoint, undo or redo

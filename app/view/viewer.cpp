@@ -392,7 +392,7 @@ void Viewer::tell(const FrameResult& frame)
             facts_.buffers.push_back({name, frame.buffers[facts_.buffers.size()]});
         }
     };
-    if (!request_.settings.debug.view.empty()) shown(request_.settings.debug.view);
+    if (!request_.settings.debug.view.empty()) shown(model_.shown_buffer());
     for (const gui::PinnedBuffer& p : model_.pinned) shown(p.name);
 }
 

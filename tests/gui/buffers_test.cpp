@@ -52,6 +52,41 @@ TEST(buffers, steps_go_round_through_the_picture)
     EXPECT_EQ(model.settings.debug.view, "");
 }
 
+TEST(buffers, of_a_light_by_its_index_is_the_one_by_its_name)
+{
+    ViewModel model;
+    model.add_light(LightType::point, vec3(0));
+    const std::string name = "light." + model.lights[0].name;
+    model.settings.debug.view = name;
+    model.step_buffer(1);
+    const std::string next = model.settings.debug.view;
+    model.settings.debug.view = "light.0";
+    EXPECT_EQ(model.shown_buffer(), name);
+    model.step_buffer(1);
+    EXPECT_EQ(model.settings.debug.view, next);
+    model.settings.debug.view = "light.7";
+    EXPECT_EQ(model.shown_buffer(), "");
+}
+
+TEST(buffers, go_with_their_light_s_name_and_end_with_it)
+{
+    ViewModel model;
+    model.add_light(LightType::point, vec3(0));
+    model.settings.debug.view = "light.0";
+    model.toggle_pin("visibility." + model.lights[0].name);
+    Light renamed = model.lights[0];
+    renamed.name = "lamp";
+    EXPECT_EQ(model.set_light(0, renamed), std::nullopt);
+    EXPECT_EQ(model.settings.debug.view, "light.lamp");
+    EXPECT_EQ(model.pinned.at(0).name, "visibility.lamp");
+    model.checkpoint();
+    model.remove_selected();
+    EXPECT_EQ(model.settings.debug.view, "");
+    model.checkpoint();
+    model.undo(); // in one step
+    EXPECT_EQ(model.shown_buffer(), "light.lamp");
+}
+
 TEST(buffers, pins_go_with_their_lights_and_have_an_end)
 {
     ViewModel model;

@@ -4,6 +4,7 @@
 #include "tests/rig/frame_rig.hpp"
 #include "tests/truth/compare.hpp"
 #include "tests/truth/primary.hpp"
+#include "tests/truth/scene_builder.hpp"
 #include "tests/truth/shapes.hpp"
 #include "tests/truth/truth_scene.hpp"
 
@@ -119,11 +120,58 @@ TEST(aov, background_is_what_the_table_says)
         {"roughness", 0},   {"metallic", 0},   {"specular", 0},         {"emission", 0},       {"material", -1},
         {"mesh", -1},       {"instance", -1},  {"motion", 0},           {"light.key", 0},      {"ambient", 0},
         {"ao", 1},          {"ao_raw", 1},     {"visibility.0", 1},     {"shadow_map.0", inf}, {"cascade.0", -1},
-        {"blocker.0", inf}, {"penumbra.0", 0}, {"overdraw", 0},         {"light_count", 0}};
+        {"blocker.0", inf}, {"penumbra.0", 0}, {"overdraw", 0},         {"light_count", 0},    {"depth_complexity", 0}};
     std::vector<std::string> names;
     for (const auto& [name, value] : known) names.push_back(name);
     const std::vector<ImageF> got = rig.aovs(names);
     for (std::size_t i = 0; i < known.size(); ++i) EXPECT_EQ(*got[i].at(160, 90), known[i].second) << known[i].first;
+}
+
+/// Walls that face the camera at z = 0, 1 and 2, each drawn after those before it. The left halves stand behind each
+/// other, the last one is whole.
+BakeData walls()
+{
+    truth::SceneBuilder builder;
+    const std::uint32_t grey = builder.add_material("grey");
+    for (const float z : {0.0f, 1.0f}) builder.add_mesh("half", grey, truth::quad({-2, -2, z}, {2, 0, 0}, {0, 4, 0}));
+    builder.add_mesh("whole", grey, truth::quad({-2, -2, 2}, {4, 0, 0}, {0, 4, 0}));
+    return builder.finish();
+}
+
+TEST(aov, fragments_are_counted_before_and_after_the_depth_test)
+{
+    rig::FrameRig rig(walls());
+    for (const char* kind : {"culling.frustum", "culling.cone", "culling.occlusion", "culling.triangles"})
+        rig.set(kind, "off");
+    const ivec2 left(140, 90), right(180, 90);
+    const std::vector<std::string> names{"depth_complexity", "overdraw"};
+    rig.look({0, 0, 8}, {0, 0, 0});
+    const std::vector<ImageF> front = rig.aovs(names);
+    EXPECT_EQ(*front[0].at(left.x, left.y), 3);
+    EXPECT_EQ(*front[0].at(right.x, right.y), 1);
+    EXPECT_EQ(*front[1].at(left.x, left.y), 1); // what is nearest is drawn first
+    EXPECT_EQ(*front[1].at(right.x, right.y), 1);
+    rig.look({0, 0, -8}, {0, 0, 0}); // from behind, where nothing is drawn
+    for (const ImageF& count : rig.aovs(names)) EXPECT_EQ(*count.at(left.x, left.y), 0);
+}
+
+TEST(aov, lights_are_counted_by_range_cone_and_front)
+{
+    rig::FrameRig rig(truth::floor_scene());
+    rig.look({0, 10, 0.01f}, {0, 0, 0}, 90); // 10 m to each side along the height of the picture
+    rig.light("point,position=-5:1:0,range=3");
+    rig.light("spot,position=5:2:0,direction=0:-1:0,inner=20,outer=45"); // a circle of 2 m
+    rig.light("rect,position=0:1:0,direction=0:1:0");                    // which turns its back on the floor
+    rig.light("sun,direction=0:-1:0");
+    const ImageF count = rig.aov("light_count");
+    const auto at = [&](float x) { return *count.at(160 + static_cast<int>(x * 9), 90); };
+    EXPECT_EQ(at(-10), 1); // the sun alone
+    EXPECT_EQ(at(-5), 2);
+    EXPECT_EQ(at(-1.5f), 1);
+    EXPECT_EQ(at(0), 1);
+    EXPECT_EQ(at(2.5f), 1);
+    EXPECT_EQ(at(5), 2);
+    EXPECT_EQ(at(7.5f), 1);
 }
 
 TEST(aov, channels_are_one_for_scalars_two_for_motion_three_for_vectors)

@@ -68,6 +68,7 @@ TEST_F(EditedShaders, includes_count)
     EXPECT_TRUE(says("lib/sky.glsl:" + std::to_string(std::count(good.begin(), good.end(), '\n') + 2)));
     write(sky, good);
     EXPECT_TRUE(says("all shaders compile again", 2));
+    EXPECT_TRUE(settle());
 }
 
 TEST_F(EditedShaders, what_no_longer_fits_the_program_is_refused)

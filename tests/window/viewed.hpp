@@ -87,18 +87,24 @@ protected:
         std::this_thread::sleep_for(200ms);
     }
 
-    /// Until the window shows the same three times in a row.
+    /// Until the window shows the same three times in a row while the program rests: on a busy machine it may only not
+    /// have come to drawing yet.
     static bool settle(std::chrono::seconds most = 20s)
     {
         const auto end = std::chrono::steady_clock::now() + most;
+        constexpr double resting = 0.03; // s of the processor between two looks, which it counts in 0.01 s
         Image8 before;
+        double used_before = program->cpu_seconds();
         int same = 0;
         while (std::chrono::steady_clock::now() < end) {
             std::this_thread::sleep_for(250ms);
             Image8 now = desktop->grab(window);
-            same = now.width > 0 && mean_difference(before, now) == 0 ? same + 1 : 0;
+            const double used = program->cpu_seconds();
+            const bool rests = used - used_before < resting;
+            same = rests && now.width > 0 && mean_difference(before, now) == 0 ? same + 1 : 0;
             if (same == 2) return true;
             before = std::move(now);
+            used_before = used;
         }
         return false;
     }

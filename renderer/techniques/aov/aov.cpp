@@ -17,30 +17,30 @@ std::string pass_name(const Aov& aov)
                                : fmt::format("aov.{}", aov.info->name);
 }
 
-/// Counts the fragments of the G-buffer pass that reach the shader, drawn again in the same order, after the
-/// same occluders, against a depth buffer of its own. Holes of masked materials count as drawn.
-graph::Tex add_overdraw(graph::Graph& g, const AovInputs& in)
+/// Counts the fragments of the G-buffer pass, drawn again in the same order. `tested`: those that reach the shader,
+/// after the same occluders, against a depth buffer of its own. Holes of masked materials count as drawn.
+graph::Tex add_fragment_count(graph::Graph& g, const AovInputs& in, const std::string& name, bool tested)
 {
     graph::TexDesc desc = g.desc(in.gbuffer.depth);
-    const graph::Tex depth = g.texture("aov.overdraw.depth", desc);
+    const graph::Tex depth = tested ? g.texture(name + ".depth", desc) : graph::Tex{};
     desc.format = Format::r32_float;
-    const graph::Tex count = g.texture("aov.overdraw", desc);
+    const graph::Tex count = g.texture(name, desc);
 
     gpu::GraphicsPipelineDesc pipeline;
     pipeline.vertex = "techniques/gbuffer/gbuffer.vert";
     pipeline.fragment = "techniques/aov/overdraw.frag";
     pipeline.input = gpu::VertexInput::scene;
-    pipeline.depth_test = gpu::DepthTest::greater_equal;
-    pipeline.depth_write = true;
+    pipeline.depth_test = tested ? gpu::DepthTest::greater_equal : gpu::DepthTest::off;
+    pipeline.depth_write = tested;
     pipeline.blend = gpu::Blend::add;
-    const bool prepass = static_cast<bool>(in.occluders.commands);
-    if (prepass) add_depth_prepass(g, in.occluders, in.geometry, depth, "aov.overdraw.prepass");
+    const bool prepass = tested && in.occluders.commands;
+    if (prepass) add_depth_prepass(g, in.occluders, in.geometry, depth, name + ".prepass");
     bool first = true;
     for (const DrawList& draws : in.draws) {
-        graph::PassBuilder pass = g.raster("aov.overdraw");
+        graph::PassBuilder pass = g.raster(name);
+        if (tested) pass.depth(depth, first && !prepass ? Load::clear : Load::keep, 0.0f);
         reads(pass, draws)
             .writes(count, first ? Load::clear : Load::keep)
-            .depth(depth, first && !prepass ? Load::clear : Load::keep, 0.0f)
             .pipeline(pipeline)
             .record([draws, geometry = in.geometry](Cmd& cmd) {
                 cmd.bind();
@@ -97,7 +97,9 @@ graph::Tex add_aov(graph::Graph& g, const Aov& aov, const AovInputs& in, float e
     alone.pass = alone.target = pass_name(aov);
     switch (aov.info->source) {
     case AovSource::overdraw:
-        return add_overdraw(g, in);
+        return add_fragment_count(g, in, pass_name(aov), true);
+    case AovSource::depth_complexity:
+        return add_fragment_count(g, in, pass_name(aov), false);
     case AovSource::ambient:
         return add_lighting(g, in.gbuffer, alone);
     case AovSource::ao:

@@ -33,14 +33,15 @@ void describe(V& v, DebugSettings& s)
 }
 
 enum class AovSource : std::uint8_t {
-    gbuffer,  ///< unpacked from the G-buffer; `kind` says what
-    light,    ///< lighting by one light alone
-    ambient,  ///< lighting by ambient light alone
-    hdr,      ///< radiance before exposure
-    overdraw, ///< a count made by a pass of its own
-    shadow,   ///< of a light that casts shadows; `kind`: shared::show_…
-    ao,       ///< an image of ambient occlusion, where it is on
-    constant, ///< a technique that is off: its background everywhere
+    gbuffer,          ///< unpacked from the G-buffer; `kind` says what
+    light,            ///< lighting by one light alone
+    ambient,          ///< lighting by ambient light alone
+    hdr,              ///< radiance before exposure
+    overdraw,         ///< fragments that passed the depth test, counted by a pass of its own
+    depth_complexity, ///< the same before the depth test
+    shadow,           ///< of a light that casts shadows; `kind`: shared::show_…
+    ao,               ///< an image of ambient occlusion, where it is on
+    constant,         ///< a technique that is off: its background everywhere
 };
 
 struct AovInfo {
@@ -64,7 +65,9 @@ struct Aov {
 
 /// "depth", "light.key", "visibility.0"… Throws Error(usage) naming the nearest valid AOV or light.
 [[nodiscard]] Aov parse_aov(std::string_view name, std::span<const Light> lights);
-/// All that parse_aov() takes: those of a light once for each.
+/// What parse_aov() takes, by the light's name.
+[[nodiscard]] std::string aov_name(const Aov& aov, std::span<const Light> lights);
+/// All of these names: those of a light once for each.
 [[nodiscard]] std::vector<std::string> aov_names(std::span<const Light> lights);
 
 /// What AOVs are made from.

@@ -20,7 +20,7 @@ using namespace shared;
 constexpr float inf = std::numeric_limits<float>::infinity();
 constexpr AovSource gbuffer = AovSource::gbuffer;
 
-constexpr std::array<AovInfo, 25> table{{
+constexpr std::array<AovInfo, 26> table{{
     {"depth", false, 1, gbuffer, aov_depth, 0, view_scalar, 0, 0},
     {"position", false, 3, gbuffer, aov_position, 0, view_color, 0, 0},
     {"geometric_normal", false, 3, gbuffer, aov_geometric_normal, 0, view_vector, -1, 1},
@@ -39,6 +39,7 @@ constexpr std::array<AovInfo, 25> table{{
     {"ambient", false, 3, AovSource::ambient, 0, 0, view_color, 0, 1},
     {"hdr", false, 3, AovSource::hdr, aov_hdr, 0, view_color, 0, 1},
     {"overdraw", false, 1, AovSource::overdraw, 0, 0, view_scalar, 0, 8},
+    {"depth_complexity", false, 1, AovSource::depth_complexity, 0, 0, view_scalar, 0, 8},
     {"visibility", true, 1, AovSource::shadow, show_visibility, 1, view_scalar, 0, 1},
     {"shadow_map", true, 1, AovSource::shadow, show_map, inf, view_scalar, 0, 0},
     {"cascade", true, 1, AovSource::shadow, show_cascade, -1, view_index, 0, 1},
@@ -55,14 +56,18 @@ std::span<const AovInfo> aov_table()
     return table;
 }
 
+std::string aov_name(const Aov& aov, std::span<const Light> lights)
+{
+    return aov.info->per_light ? fmt::format("{}.{}", aov.info->name, lights[aov.light].name) : aov.info->name;
+}
+
 std::vector<std::string> aov_names(std::span<const Light> lights)
 {
     std::vector<std::string> names;
     for (const AovInfo& info : aov_table()) {
-        if (!info.per_light)
-            names.emplace_back(info.name);
-        else
-            for (const Light& light : lights) names.push_back(fmt::format("{}.{}", info.name, light.name));
+        const std::size_t count = info.per_light ? lights.size() : 1;
+        for (std::size_t i = 0; i < count; ++i)
+            names.push_back(aov_name({&info, static_cast<std::uint32_t>(i)}, lights));
     }
     return names;
 }
