@@ -58,7 +58,9 @@ Viewer::Viewer(Window& window, Engine& engine, const ViewerStart& start)
 {
     model_.reset(start.frame.settings, start.frame.camera, start.frame.lights);
     model_.scene_name = start.scene;
-    model_.scene_cameras = start.scene_cameras;
+    model_.scene_file = start.scene_file;
+    model_.scene_cameras = start.scene_file.cameras;
+    model_.paths = start.scene_file.paths;
     model_.bookmarks = start.bookmarks;
     facts_.device = engine.device().report().name;
     facts_.is_cpu = engine.device().report().is_cpu;
@@ -143,7 +145,9 @@ bool Viewer::fly(double seconds, bool on_handle)
     drag_from_ = drag ? std::optional(mouse) : std::nullopt;
     panels_.dragging = (drag && io.KeyCtrl) || handles_.holds();
     if (!io.WantCaptureMouse) input.wheel = io.MouseWheel;
-    return flight_.advance(model_.camera, input, seconds);
+    const bool flown = flight_.advance(model_.camera, input, seconds);
+    if (flown) panels_.path.player.playing = false;
+    return gui::play_path(model_, panels_.path, seconds) || flown;
 }
 
 void Viewer::drag_light(vec2 pixels, bool along)
@@ -210,6 +214,7 @@ void Viewer::act(Action action, uvec2 pixels)
 
 void Viewer::frame_selection(uvec2 pixels)
 {
+    panels_.path.player.playing = false;
     const Bounds& bounds = engine_.scene().bounds();
     const float aspect = static_cast<float>(pixels.x) / static_cast<float>(pixels.y);
     Camera& camera = model_.camera;

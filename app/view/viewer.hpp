@@ -33,7 +33,7 @@ private:
 struct ViewerStart {
     FrameRequest frame;
     std::string scene; ///< its name
-    std::vector<gui::NamedCamera> scene_cameras;
+    SceneFile scene_file;
     gui::Bookmarks bookmarks;
     std::string settings_file;
     KeyBindings keys;

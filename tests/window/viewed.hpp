@@ -87,16 +87,21 @@ protected:
         std::this_thread::sleep_for(200ms);
     }
 
-    /// Until the window shows the same three times in a row.
+    /// Until the window shows the same three times in a row and the program rests: on a busy machine, a frame can take
+    /// longer than it takes to look three times.
     static bool settle(std::chrono::seconds most = 20s)
     {
+        constexpr double rest = 0.03; // s of CPU between two looks
         const auto end = std::chrono::steady_clock::now() + most;
         Image8 before;
+        double cpu_before = 0;
         int same = 0;
         while (std::chrono::steady_clock::now() < end) {
             std::this_thread::sleep_for(250ms);
             Image8 now = desktop->grab(window);
-            same = now.width > 0 && mean_difference(before, now) == 0 ? same + 1 : 0;
+            const double cpu = program->cpu_seconds();
+            const bool rests = cpu - std::exchange(cpu_before, cpu) < rest;
+            same = now.width > 0 && rests && mean_difference(before, now) == 0 ? same + 1 : 0;
             if (same == 2) return true;
             before = std::move(now);
         }

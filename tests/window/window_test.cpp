@@ -94,6 +94,41 @@ TEST_F(Viewed, bookmarks_are_kept_and_gone_to)
     EXPECT_GT(change([&] { desktop->click(window, hero); }), 3);
 }
 
+TEST_F(Viewed, a_camera_path_is_made_played_and_saved)
+{
+    desktop->resize(window, {window_size.x, 860}); // so that all of the tab is in view, at y:
+    const int new_path = 541, play = 615, keys = 649, key_line = 20, add = 709, remove = 737, save = 765;
+    const ivec2 hero{70, 375}, fountain{70, 395};
+    const auto click = [](ivec2 at) {
+        desktop->click(window, at);
+        EXPECT_TRUE(settle());
+    };
+    ASSERT_TRUE(settle());
+    desktop->click(window, {200, new_path});
+    desktop->tap("w");
+    desktop->tap("Return");
+    click(fountain);
+    click({50, add - key_line}); // the list of keys has one line yet
+    click(hero);
+    picture("window-path");
+    click({70, keys + key_line}); // the second key
+    const Image8 there = scene();
+    EXPECT_GT(change([&] { desktop->click(window, {70, keys}); }), 3);
+    click({38, play});
+    EXPECT_EQ(mean_difference(there, scene()), 0); // at its end
+
+    click({58, save});
+    const std::string command = "cd " + folder.string() + " && " + ATRIUM_BIN +
+                                "/atrium render scene.toml --path w --frames 2 --size 32x18 -o w.#.png --quiet";
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    EXPECT_TRUE(fs::exists(folder / "w.1.png"));
+    click({52, 170}); // puts the message away, of two lines
+    click({290, remove});
+    click(hero);
+    desktop->resize(window, window_size);
+    ASSERT_TRUE(settle());
+}
+
 TEST_F(Viewed, a_light_s_mark_is_clicked_and_dragged)
 {
     const ivec2 mark{744, 281}, beside{700, 330};
