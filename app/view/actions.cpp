@@ -28,6 +28,7 @@ constexpr std::array actions{
     ActionInfo{Action::ao_method, "ao_method", {GLFW_KEY_O, 0}, "next method of ambient occlusion"},
     ActionInfo{Action::normal_mapping, "normal_mapping", {GLFW_KEY_N, 0}, "normal mapping on and off"},
     ActionInfo{Action::frame, "frame", {GLFW_KEY_HOME, 0}, "frame the selected light, or the scene"},
+    ActionInfo{Action::light_view, "light_view", {GLFW_KEY_L, 0}, "look through the selected light, and back"},
     ActionInfo{Action::compare,
                "compare",
                {GLFW_KEY_V, 0},

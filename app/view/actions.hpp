@@ -28,6 +28,7 @@ enum class Action : std::uint8_t {
     ao_method,
     normal_mapping,
     frame,
+    light_view,
     compare,
     gui,
     help,

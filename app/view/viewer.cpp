@@ -193,6 +193,9 @@ void Viewer::act(Action action, uvec2 pixels)
     case Action::frame:
         frame_selection(pixels);
         break;
+    case Action::light_view:
+        look_through_light();
+        break;
     case Action::undo:
         model_.undo();
         break;
@@ -220,6 +223,14 @@ void Viewer::frame_selection(uvec2 pixels)
     Camera& camera = model_.camera;
     camera = model_.selected ? gui::frame_light(camera, model_.lights[*model_.selected], bounds.diagonal())
                              : frame_bounds(bounds, camera.fov, aspect);
+}
+
+void Viewer::look_through_light()
+{
+    panels_.path.player.playing = false;
+    const Light* light = model_.selected ? &model_.lights[*model_.selected] : nullptr;
+    if (!light_view_.toggle(model_.camera, light, engine_.scene().bounds()))
+        panels_.message = "no light is selected to look through: click on the mark of one, or its line in the list";
 }
 
 void Viewer::draw_interface(uvec2 pixels)

@@ -3,6 +3,7 @@
 
 #include "app/gui/fly_camera.hpp"
 #include "app/gui/light_handles.hpp"
+#include "app/gui/light_view.hpp"
 #include "app/gui/panels.hpp"
 #include "app/gui/view_model.hpp"
 #include "app/view/gui.hpp"
@@ -62,6 +63,8 @@ private:
     [[nodiscard]] uvec2 prepare_window();
     /// The selected light, or the whole scene, into the middle of the picture.
     void frame_selection(uvec2 pixels);
+    /// Through the selected light, or back.
+    void look_through_light();
     void draw_interface(uvec2 pixels);
     /// What the model says, drawn as `render` draws it, into the present folder, with its description.
     void write_screenshot(uvec2 pixels);
@@ -84,6 +87,7 @@ private:
     gui::FrameFacts facts_;
     gui::FlyCamera flight_;
     gui::LightHandles handles_;
+    gui::LightView light_view_;
     KeyBindings keys_;
     ShaderReload reload_;
     FrameRequest request_;

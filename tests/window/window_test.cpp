@@ -144,6 +144,14 @@ TEST_F(Viewed, a_light_s_mark_is_clicked_and_dragged)
     EXPECT_EQ(mean_difference(start, scene()), 0);
 }
 
+TEST_F(Viewed, l_looks_through_the_selected_light_and_back)
+{
+    const Image8 start = scene();
+    EXPECT_GT(change([] { desktop->tap("l"); }), 3);
+    EXPECT_GT(change([] { desktop->tap("l"); }), 3);
+    EXPECT_EQ(mean_difference(start, scene()), 0);
+}
+
 TEST_F(Viewed, a_screenshot_is_drawn_again_to_the_byte)
 {
     const fs::path shot = folder / "atrium.0000.png", again = folder / "again.png";
