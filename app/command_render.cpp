@@ -4,6 +4,7 @@
 #include "app/config.hpp"
 #include "app/json_output.hpp"
 #include "app/output.hpp"
+#include "app/resume.hpp"
 #include "app/scene_input.hpp"
 #include "app/stats.hpp"
 #include "renderer/core/error.hpp"
@@ -16,6 +17,8 @@
 #include <chrono>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace atrium::app {
 namespace {
@@ -34,10 +37,70 @@ struct Options {
 
 void write_graph(const std::filesystem::path& file, const graph::Runner& runner);
 
+/// The frames of one run, each by its index.
+struct FrameSequence {
+    const Options& options;
+    const OutputPlan& outputs;
+    const FrameRequest& request; ///< of a frame without a path
+    const CameraPath& path;
+    double start_time;
+    std::string scene_mark;
+
+    [[nodiscard]] double time(std::size_t i) const
+    {
+        return start_time + options.dt * static_cast<double>(outputs.first_frame() + i);
+    }
+    [[nodiscard]] FrameRequest frame(std::size_t i) const
+    {
+        FrameRequest out = request;
+        out.camera = camera_at(path, time(i), request.camera);
+        out.previous_camera = camera_at(path, time(i) - options.dt, request.camera);
+        return out;
+    }
+    [[nodiscard]] ImageMetadata metadata(std::size_t i) const
+    {
+        const FrameRequest drawn = frame(i);
+        ImageMetadata out = describe_frame(drawn, time(i));
+        if (outputs.numbered()) out[resume_key] = resume_text(scene_mark, drawn.previous_camera);
+        return out;
+    }
+    /// Indices of those to be drawn: all but, with --resume, those whose files are there.
+    [[nodiscard]] std::vector<std::size_t> missing() const
+    {
+        std::vector<std::size_t> out;
+        for (std::size_t i = 0; i < outputs.frame_count(); ++i) {
+            if (!options.resume || !outputs.is_done(i, metadata(i))) out.push_back(i);
+        }
+        return out;
+    }
+};
+
+void draw_frames(const FrameSequence& sequence, Engine& engine, StatsRecorder& stats)
+{
+    const std::vector<std::size_t> missing = sequence.missing();
+    const std::size_t done = sequence.outputs.frame_count() - missing.size();
+    if (done > 0) log_info(fmt::format("{} of {} frames are there already", done, sequence.outputs.frame_count()));
+    std::optional<Progress> progress;
+    if (missing.size() > 1) progress.emplace("rendering", missing.size());
+    const auto start = std::chrono::steady_clock::now();
+    for (std::size_t n = 0; n < missing.size(); ++n) {
+        const std::size_t i = missing[n];
+        const FrameResult frame = engine.render(sequence.frame(i));
+        stats.add(frame);
+        if (sequence.outputs.writes(i)) sequence.outputs.write(i, frame, sequence.metadata(i));
+        const double mean_ms = ms_since(start) / static_cast<double>(n + 1);
+        if (progress) progress->advance(1, time_left(mean_ms, missing.size() - n - 1));
+    }
+}
+
 int run(const Options& o)
 {
     // Everything that can be wrong with the command line is found out before the device is touched.
     const OutputPlan outputs(o.output, o.frames, o.aovs);
+    if (o.resume && !outputs.numbered()) {
+        throw Error(ExitCode::usage, "--resume continues numbered frames only", "--resume",
+                    fmt::format("{} has no # in its name", o.output.string()), "for example -o frame.####.png");
+    }
     const auto start = std::chrono::steady_clock::now();
     const SceneInput scene = read_scene_input(o.scene, o.frame);
     const SettingChain chain(o.frame, scene);
@@ -64,20 +127,8 @@ int run(const Options& o)
     if (request.want_statistics)
         static_cast<void>(engine.render(request)); // warms pipelines, so that no compiler is timed
 
-    std::optional<Progress> progress;
-    if (outputs.frame_count() > 1) progress.emplace("rendering", outputs.frame_count());
-    for (std::size_t i = 0; i < outputs.frame_count(); ++i) {
-        const double time = start_time + o.dt * static_cast<double>(outputs.first_frame() + i);
-        request.previous_camera = i > 0 ? request.camera : path.camera_at(time - o.dt, request.camera);
-        request.camera = path.camera_at(time, request.camera);
-        const bool write = outputs.writes(i) && !(o.resume && outputs.exists(i));
-        if (!write && outputs.numbered()) continue;
-        const FrameResult frame = engine.render(request);
-        stats.add(frame);
-        if (write) outputs.write(i, frame, request, time);
-        if (progress) progress->advance();
-    }
-    progress.reset();
+    const FrameSequence sequence{o, outputs, request, path, start_time, scene_mark(scene)};
+    draw_frames(sequence, engine, stats);
     if (!o.graph.empty()) write_graph(o.graph, engine.runner());
     if (!o.stats.empty()) write_json_text(o.stats.string(), stats.to_json());
     log_info(fmt::format("{}", o.output.string()));
@@ -104,7 +155,8 @@ Run add_render_command(CLI::App& app)
     command->add_option("--frames", o->frames, "N frames from 0, or A-B; OUT.####.png writes each");
     command->add_option("--dt", o->dt, "seconds between frames (1/60)")->check(CLI::NonNegativeNumber);
     command->add_option("--path", o->path, "move the camera along a path of the scene file");
-    command->add_flag("--resume", o->resume, "skip frames whose file exists");
+    command->add_flag("--resume", o->resume,
+                      "leave out frames whose files are there, whole and for the same scene and settings");
     command->add_option("--stats", o->stats, "times and counts as JSON");
     command->add_option("--graph", o->graph, "the frame graph: FILE.txt or Graphviz FILE.dot");
     command->footer(

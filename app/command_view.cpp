@@ -63,7 +63,7 @@ int run(const Options& o)
     if (o.frame.size) state.place.size = ivec2(*o.frame.size);
     const bool camera_given = !o.frame.camera.empty() || o.frame.eye || !o.frame.config.empty();
     if (state.scene == path && !camera_given) start.frame.camera = state.camera;
-    start.scene_cameras = scene.file.cameras;
+    start.scene_file = scene.file;
     start.bookmarks = state.bookmarks[path.string()];
     start.settings_file = state.settings_file;
     Window window("Atrium", state.place);

@@ -8,11 +8,6 @@
 namespace atrium::app {
 namespace {
 
-std::string vector_text(const vec3& v)
-{
-    return fmt::format("[{}, {}, {}]", v.x, v.y, v.z);
-}
-
 FrameConfig from_picture(const std::filesystem::path& file, const ImageMetadata& metadata)
 {
     const auto text = metadata.find(metadata_key);
@@ -37,8 +32,7 @@ ImageMetadata describe_frame(const FrameRequest& request, double time)
     std::string out =
         fmt::format("width = {}\nheight = {}\ntime = {}\nlights = [", request.size.x, request.size.y, time);
     for (const Light& light : request.lights) out += fmt::format("\n    {},", toml_string(to_spec(light)));
-    out += fmt::format("\n]\n[camera]\neye = {}\ntarget = {}\nfov = {}\n", vector_text(request.camera.eye),
-                       vector_text(request.camera.target), request.camera.fov);
+    out += "\n]\n[camera]\n" + toml_camera(request.camera);
     return {{metadata_key, out + differing_toml(list)}};
 }
 

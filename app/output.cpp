@@ -1,6 +1,7 @@
 #include "app/output.hpp"
 
-#include "app/config.hpp"
+#include "app/resume.hpp"
+#include "app/toml_text.hpp"
 #include "renderer/core/error.hpp"
 #include "renderer/core/nearest_name.hpp"
 
@@ -28,6 +29,14 @@ std::optional<std::size_t> parse_count(std::string_view text)
     throw Error(ExitCode::usage, fmt::format("--frames takes N or A-B, not \"{}\"", text), "--frames",
                 fmt::format("N is 1 to {}, A is at most B", max_frames),
                 "for example --frames 10, or --frames 100-199");
+}
+
+/// The metadata of an AOV's file, which must not be taken for another AOV's by --resume.
+ImageMetadata with_aov(ImageMetadata metadata, const std::string& name)
+{
+    if (const auto found = metadata.find(resume_key); found != metadata.end())
+        found->second += fmt::format("[aov]\nname = {}\n", toml_string(name));
+    return metadata;
 }
 
 void write_image(const std::filesystem::path& file, const ImageF& image, const ImageMetadata& metadata)
@@ -82,9 +91,12 @@ std::filesystem::path OutputPlan::numbered_name(const std::filesystem::path& pat
     return pattern.parent_path() / name;
 }
 
-bool OutputPlan::exists(std::size_t i) const
+bool OutputPlan::is_done(std::size_t i, const ImageMetadata& metadata) const
 {
-    return std::filesystem::exists(numbered_name(picture_, i));
+    return is_whole(numbered_name(picture_, i), metadata) &&
+           std::all_of(aovs_.begin(), aovs_.end(), [&](const AovOutput& aov) {
+               return is_whole(numbered_name(aov.file, i), with_aov(metadata, aov.name));
+           });
 }
 
 void OutputPlan::check_writable() const
@@ -100,49 +112,21 @@ void OutputPlan::check_writable() const
     }
 }
 
-void OutputPlan::write(std::size_t i, const FrameResult& frame, const FrameRequest& request, double time) const
+void OutputPlan::write(std::size_t i, const FrameResult& frame, const ImageMetadata& metadata) const
 {
-    const ImageMetadata metadata = describe_frame(request, time);
     const std::filesystem::path picture = numbered_name(picture_, i);
     if (png_)
         write_png(picture, frame.picture, metadata);
     else
         write_image(picture, frame.hdr, metadata);
     for (std::size_t a = 0; a < aovs_.size(); ++a)
-        write_image(numbered_name(aovs_[a].file, i), frame.aovs[a], metadata);
-}
-
-Camera CameraPath::camera_at(double time, const Camera& otherwise) const
-{
-    if (keys_.empty()) return otherwise;
-    const auto t = static_cast<float>(time);
-    const auto next = std::find_if(keys_.begin(), keys_.end(), [&](const CameraKey& k) { return k.time > t; });
-    Camera camera = otherwise; // the field of view stays
-    if (next == keys_.begin() || next == keys_.end()) {
-        const CameraKey& end = next == keys_.begin() ? keys_.front() : keys_.back();
-        camera.eye = end.eye;
-        camera.target = end.target;
-        return camera;
-    }
-    const auto at = [&](std::ptrdiff_t i) -> const CameraKey& {
-        return keys_[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(i, 0, std::ssize(keys_) - 1))];
-    };
-    const std::ptrdiff_t i = next - keys_.begin();
-    const float u = (t - at(i - 1).time) / (at(i).time - at(i - 1).time);
-    // Source: Catmull & Rom 1974.
-    const auto curve = [u](const vec3& a, const vec3& b, const vec3& c, const vec3& d) {
-        return 0.5f * (2.0f * b + u * (c - a) + u * u * (2.0f * a - 5.0f * b + 4.0f * c - d) +
-                       u * u * u * (3.0f * b - a - 3.0f * c + d));
-    };
-    camera.eye = curve(at(i - 2).eye, at(i - 1).eye, at(i).eye, at(i + 1).eye);
-    camera.target = curve(at(i - 2).target, at(i - 1).target, at(i).target, at(i + 1).target);
-    return camera;
+        write_image(numbered_name(aovs_[a].file, i), frame.aovs[a], with_aov(metadata, aovs_[a].name));
 }
 
 CameraPath find_path(const std::string& name, const SceneFile& file)
 {
     if (name.empty()) return {};
-    if (const auto found = file.paths.find(name); found != file.paths.end()) return CameraPath(found->second);
+    if (const auto found = file.paths.find(name); found != file.paths.end()) return found->second;
     std::vector<std::string> names;
     for (const auto& [path, keys] : file.paths) names.push_back(path);
     throw Error(ExitCode::usage, fmt::format("no camera path is called \"{}\"", name), "--path",

@@ -27,11 +27,12 @@ public:
     [[nodiscard]] bool numbered() const; ///< each frame has a file of its own
     [[nodiscard]] bool wants_png() const { return png_; }
     [[nodiscard]] bool writes(std::size_t i) const { return numbered() || i + 1 == frame_count(); }
-    [[nodiscard]] bool exists(std::size_t i) const;
+    /// Whether all files of the frame are there, whole, with this metadata.
+    [[nodiscard]] bool is_done(std::size_t i, const ImageMetadata& metadata) const;
     [[nodiscard]] const std::vector<AovOutput>& aovs() const { return aovs_; }
     /// Throws Error(environment) when a folder is missing, before anything is drawn.
     void check_writable() const;
-    void write(std::size_t i, const FrameResult& frame, const FrameRequest& request, double time) const;
+    void write(std::size_t i, const FrameResult& frame, const ImageMetadata& metadata) const;
 
 private:
     [[nodiscard]] std::filesystem::path numbered_name(const std::filesystem::path& pattern, std::size_t i) const;
@@ -39,18 +40,6 @@ private:
     std::vector<AovOutput> aovs_;
     std::size_t first_ = 0, last_ = 0;
     bool png_ = true;
-};
-
-/// A camera path of a scene file, or none: then every time has the same camera.
-class CameraPath {
-public:
-    CameraPath() = default;
-    explicit CameraPath(std::vector<CameraKey> keys) : keys_(std::move(keys)) {}
-    /// Between keys eye and target move along Catmull-Rom curves; before the first and after the last they stand still.
-    [[nodiscard]] Camera camera_at(double time, const Camera& otherwise) const;
-
-private:
-    std::vector<CameraKey> keys_;
 };
 
 /// Throws Error(usage) naming the nearest path; an empty name is no path.

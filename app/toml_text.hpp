@@ -1,7 +1,8 @@
 #pragma once
-// Settings written as TOML that reads back the same.
+// Settings and what stands beside them, written as TOML that reads back the same.
 
 #include "renderer/core/setting.hpp"
+#include "renderer/scene/camera.hpp"
 
 #include <string>
 #include <string_view>
@@ -10,6 +11,10 @@ namespace atrium::app {
 
 /// A TOML basic string, with its quotes.
 [[nodiscard]] std::string toml_string(std::string_view text);
+
+[[nodiscard]] std::string toml_vector(const vec3& v);
+/// The lines eye, target and fov.
+[[nodiscard]] std::string toml_camera(const Camera& camera);
 
 /// The table [settings] with every setting that differs from its default, in order of description.
 [[nodiscard]] std::string differing_toml(const SettingList& list);

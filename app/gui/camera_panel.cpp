@@ -1,4 +1,4 @@
-// The tab of the camera: where it stands, and those with names.
+// The tab of the camera: where it stands, those with names, and paths.
 
 #include "app/gui/controls.hpp"
 #include "app/gui/panels.hpp"
@@ -100,6 +100,8 @@ void draw_camera_tab(ViewModel& model, PanelState& state, bool is_cpu)
     draw_fields(model, state, is_cpu);
     ImGui::Separator();
     draw_named(model, state);
+    ImGui::Separator();
+    draw_paths(model, state.path, state.message, state.scale);
 }
 
 std::string camera_options(const Camera& camera)

@@ -2,6 +2,7 @@
 // The panel on the left of the window: settings, lights, buffers, camera, costs, help.
 
 #include "app/gui/cost_history.hpp"
+#include "app/gui/path_panel.hpp"
 #include "app/gui/setting_widgets.hpp"
 #include "app/gui/view_model.hpp"
 
@@ -67,6 +68,7 @@ struct PanelState {
     std::string settings_file = "settings.toml"; ///< to save into and load from
     std::string new_bookmark;                    ///< name that is being typed
     std::optional<std::size_t> camera;           ///< selected of the scene's cameras and, after them, the bookmarks
+    PathPanel path;                              ///< of cameras
     bool frame = false;                          ///< wished for in this frame: to see the selected light, or the scene
     std::optional<CostFile> save_costs;          ///< wished for in this frame
     bool dragging = false;                       ///< something beside the panels is in the middle of an edit

@@ -1,5 +1,6 @@
 #include "app/gui/view_model.hpp"
 
+#include "app/scene_writer.hpp"
 #include "app/toml_text.hpp"
 #include "renderer/core/atomic_file.hpp"
 #include "renderer/core/error.hpp"
@@ -136,6 +137,23 @@ std::optional<std::string> ViewModel::load_settings(const std::filesystem::path&
     } catch (const Error& e) {
         return e.text();
     }
+}
+
+void ViewModel::save_scene(const std::filesystem::path& file) const
+{
+    SceneFile scene = scene_file;
+    scene.settings = app::portable_settings(list);
+    scene.lights = lights;
+    scene.paths = paths;
+    Bookmarks cameras{{"window", camera}};
+    for (const NamedCamera& c : scene_cameras) {
+        if (c.first != "window") cameras.push_back(c);
+    }
+    for (auto [name, bookmark] : bookmarks) {
+        while (add_bookmark(cameras, name, bookmark)) name += "_"; // the scene may have one of that name
+    }
+    scene.cameras = std::move(cameras);
+    app::write_scene_file(file, scene);
 }
 
 // ---- lights

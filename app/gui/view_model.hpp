@@ -47,6 +47,8 @@ public:
     std::string scene_name;
     std::vector<NamedCamera> scene_cameras; ///< of the scene's file
     Bookmarks bookmarks;
+    CameraPaths paths;
+    SceneFile scene_file; ///< as it was opened: its bake, instances and materials are not edited
 
     /// Begins anew, without anything to undo. Lights without a name are given theirs; throws Error(usage) for names
     /// that name_lights() refuses, and changes nothing then.
@@ -76,6 +78,10 @@ public:
     /// Makes the settings what a file for --config says, and the defaults where it says nothing. All of it or, with
     /// what is wrong as the answer, nothing.
     [[nodiscard]] std::optional<std::string> load_settings(const std::filesystem::path& file);
+
+    /// Writes the scene as a file that `render` and `view` take. Its first camera, called "window", is the present one;
+    /// it replaces one of that name. Throws Error(environment).
+    void save_scene(const std::filesystem::path& file) const;
 
     // Lights. At most max_lights.
 

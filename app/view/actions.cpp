@@ -31,6 +31,7 @@ constexpr std::array actions{
         Action::previous_buffer, "previous_buffer", {GLFW_KEY_COMMA, 0}, "previous buffer in place of the picture"},
     ActionInfo{Action::next_buffer, "next_buffer", {GLFW_KEY_PERIOD, 0}, "next buffer; after the last, the picture"},
     ActionInfo{Action::frame, "frame", {GLFW_KEY_HOME, 0}, "frame the selected light, or the scene"},
+    ActionInfo{Action::light_view, "light_view", {GLFW_KEY_L, 0}, "look through the selected light, and back"},
     ActionInfo{Action::compare,
                "compare",
                {GLFW_KEY_V, 0},

@@ -30,6 +30,7 @@ enum class Action : std::uint8_t {
     previous_buffer,
     next_buffer,
     frame,
+    light_view,
     compare,
     gui,
     help,

@@ -60,7 +60,9 @@ Viewer::Viewer(Window& window, Engine& engine, const ViewerStart& start)
 {
     model_.reset(start.frame.settings, start.frame.camera, start.frame.lights);
     model_.scene_name = start.scene;
-    model_.scene_cameras = start.scene_cameras;
+    model_.scene_file = start.scene_file;
+    model_.scene_cameras = start.scene_file.cameras;
+    model_.paths = start.scene_file.paths;
     model_.bookmarks = start.bookmarks;
     facts_.device = engine.device().report().name;
     facts_.is_cpu = engine.device().report().is_cpu;
@@ -149,7 +151,9 @@ bool Viewer::fly(double seconds, bool on_handle)
     drag_from_ = drag ? std::optional(mouse) : std::nullopt;
     panels_.dragging = (drag && io.KeyCtrl) || handles_.holds();
     if (!io.WantCaptureMouse) input.wheel = io.MouseWheel;
-    return flight_.advance(model_.camera, input, seconds);
+    const bool flown = flight_.advance(model_.camera, input, seconds);
+    if (flown) panels_.path.player.playing = false;
+    return gui::play_path(model_, panels_.path, seconds) || flown;
 }
 
 void Viewer::drag_light(vec2 pixels, bool along)
@@ -200,6 +204,9 @@ void Viewer::act(Action action, uvec2 pixels)
     case Action::frame:
         frame_selection(pixels);
         break;
+    case Action::light_view:
+        look_through_light();
+        break;
     case Action::undo:
         model_.undo();
         break;
@@ -229,11 +236,20 @@ void Viewer::act(Action action, uvec2 pixels)
 
 void Viewer::frame_selection(uvec2 pixels)
 {
+    panels_.path.player.playing = false;
     const Bounds& bounds = engine_.scene().bounds();
     const float aspect = static_cast<float>(pixels.x) / static_cast<float>(pixels.y);
     Camera& camera = model_.camera;
     camera = model_.selected ? gui::frame_light(camera, model_.lights[*model_.selected], bounds.diagonal())
                              : frame_bounds(bounds, camera.fov, aspect);
+}
+
+void Viewer::look_through_light()
+{
+    panels_.path.player.playing = false;
+    const Light* light = model_.selected ? &model_.lights[*model_.selected] : nullptr;
+    if (!light_view_.toggle(model_.camera, light, engine_.scene().bounds()))
+        panels_.message = "no light is selected to look through: click on the mark of one, or its line in the list";
 }
 
 void Viewer::draw_interface(uvec2 pixels)

@@ -3,6 +3,7 @@
 
 #include "app/gui/fly_camera.hpp"
 #include "app/gui/light_handles.hpp"
+#include "app/gui/light_view.hpp"
 #include "app/gui/panels.hpp"
 #include "app/gui/view_model.hpp"
 #include "app/view/gui.hpp"
@@ -34,7 +35,7 @@ private:
 struct ViewerStart {
     FrameRequest frame;
     std::string scene; ///< its name
-    std::vector<gui::NamedCamera> scene_cameras;
+    SceneFile scene_file;
     gui::Bookmarks bookmarks;
     std::string settings_file;
     KeyBindings keys;
@@ -63,6 +64,8 @@ private:
     [[nodiscard]] uvec2 prepare_window();
     /// The selected light, or the whole scene, into the middle of the picture.
     void frame_selection(uvec2 pixels);
+    /// Through the selected light, or back.
+    void look_through_light();
     void draw_interface(uvec2 pixels);
     /// What the model says, drawn as `render` draws it, into the present folder, with its description.
     void write_screenshot(uvec2 pixels);
@@ -91,6 +94,7 @@ private:
     gui::FrameFacts facts_;
     gui::FlyCamera flight_;
     gui::LightHandles handles_;
+    gui::LightView light_view_;
     KeyBindings keys_;
     ShaderReload reload_;
     FrameRequest request_;

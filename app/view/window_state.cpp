@@ -30,12 +30,6 @@ Camera read_camera(const TomlReader& reader)
     return camera;
 }
 
-std::string camera_toml(const Camera& camera)
-{
-    const auto vector = [](const vec3& v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); };
-    return fmt::format("eye = {}\ntarget = {}\nfov = {}\n", vector(camera.eye), vector(camera.target), camera.fov);
-}
-
 } // namespace
 
 std::filesystem::path user_file(const std::string& name)
@@ -78,11 +72,11 @@ void write_window_state(const std::filesystem::path& file, const WindowState& s)
     std::string text =
         fmt::format("x = {}\ny = {}\nwidth = {}\nheight = {}\nmaximised = {}\nsettings_file = {}\nscene = {}\n{}",
                     s.place.position.x, s.place.position.y, s.place.size.x, s.place.size.y, s.place.maximised,
-                    toml_string(s.settings_file), toml_string(s.scene.string()), camera_toml(s.camera));
+                    toml_string(s.settings_file), toml_string(s.scene.string()), toml_camera(s.camera));
     for (const auto& [scene, bookmarks] : s.bookmarks) {
         for (const auto& [name, camera] : bookmarks) {
             text += fmt::format("\n[[bookmark]]\nscene = {}\nname = {}\n{}", toml_string(scene), toml_string(name),
-                                camera_toml(camera));
+                                toml_camera(camera));
         }
     }
     try {

@@ -15,11 +15,15 @@ public:
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    void advance(std::size_t steps = 1);
+    /// `detail` is shown behind the count.
+    void advance(std::size_t steps = 1, std::string detail = "");
 
 private:
     struct State;
     std::unique_ptr<State> state_;
 };
+
+/// "240 ms each, 1 min 5 s left", for so many more steps.
+[[nodiscard]] std::string time_left(double ms_each, std::size_t steps);
 
 } // namespace atrium

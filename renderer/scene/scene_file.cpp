@@ -161,10 +161,10 @@ MaterialOverride read_material(const fs::path& file, const toml::table& table)
     return o;
 }
 
-std::vector<CameraKey> read_path(const fs::path& file, const toml::table& table, const std::string& name)
+CameraPath read_path(const fs::path& file, const toml::table& table, const std::string& name)
 {
     const TomlReader in(file, table, fmt::format("path \"{}\"", name), {"keys"});
-    std::vector<CameraKey> keys;
+    CameraPath keys;
     for (const toml::table* key_table : in.tables("keys")) {
         const TomlReader key(file, *key_table, fmt::format("a key of path \"{}\"", name), {"time", "eye", "target"});
         keys.push_back({key.required_number("time", any_number), key.required_vector("eye", world_range),

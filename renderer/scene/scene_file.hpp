@@ -2,11 +2,11 @@
 // Scene files: TOML that names a bake, settings, cameras, lights, instances, material overrides and camera paths.
 
 #include "renderer/scene/camera.hpp"
+#include "renderer/scene/camera_path.hpp"
 #include "renderer/scene/light.hpp"
 #include "renderer/scene/scene.hpp"
 
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -36,11 +36,6 @@ struct MaterialOverride {
     std::optional<vec3> emission;
 };
 
-struct CameraKey {
-    float time = 0;
-    vec3 eye{0}, target{0};
-};
-
 struct SceneFile {
     std::filesystem::path path, bake;
     std::vector<SettingText> settings;
@@ -48,7 +43,7 @@ struct SceneFile {
     std::vector<Light> lights;                           ///< in file order, not yet named by index
     std::vector<InstanceEntry> instances;
     std::vector<MaterialOverride> materials;
-    std::map<std::string, std::vector<CameraKey>> paths;
+    CameraPaths paths;
 };
 
 /// Throws Error(input) with file:line on bad TOML, wrong types, unknown keys (with the nearest valid name).

@@ -149,6 +149,87 @@ TEST(program, frames_are_numbered_and_resumed)
     EXPECT_EQ(std::filesystem::last_write_time(in_folder("f.03.png")), before);
 }
 
+/// Frames 0 to 5 of a walk, into numbered files of a folder of their own, with an AOV beside.
+struct Walk {
+    explicit Walk(const std::string& name) : folder(in_folder(name))
+    {
+        std::filesystem::create_directories(folder);
+        write_scene("[-8.0, 1.7, 0.5]");
+    }
+    void write_scene(const std::string& first_eye, const std::string& more = "") const
+    {
+        std::ofstream(folder / "walk.toml") << "bake = \"" << court() << "\"\n[path.walk]\nkeys = [\n"
+                                            << "{ time = 0.0, eye = " << first_eye << ", target = [8.0, 2.5, 0.0] },\n"
+                                            << "{ time = 1.0, eye = [-4.0, 1.7, 0.5], target = [8.0, 2.5, 3.0] },\n]\n"
+                                            << more;
+    }
+    [[nodiscard]] Outcome render(const std::vector<std::string>& more) const
+    {
+        std::vector<std::string> arguments{"render",   (folder / "walk.toml").string(),
+                                           "--path",   "walk",
+                                           "--size",   "48x27",
+                                           "--frames", "0-5",
+                                           "--dt",     "0.2",
+                                           "-o",       (folder / "f.##.png").string(),
+                                           "--aov",    "depth=" + (folder / "depth.##.exr").string()};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return atrium(arguments);
+    }
+    [[nodiscard]] std::vector<std::string> files() const
+    {
+        std::vector<std::string> out;
+        for (int i = 0; i < 6; ++i) {
+            out.push_back(text_of(folder / fmt::format("f.{:02}.png", i)));
+            out.push_back(text_of(folder / fmt::format("depth.{:02}.exr", i)));
+        }
+        return out;
+    }
+    std::filesystem::path folder;
+};
+
+TEST(program, resumed_frames_are_those_of_one_run)
+{
+    const Walk whole("whole"), broken("broken");
+    ASSERT_EQ(whole.render({}).code, 0);
+    ASSERT_EQ(broken.render({}).code, 0);
+    EXPECT_EQ(broken.files(), whole.files());
+    std::filesystem::remove(broken.folder / "f.05.png");
+    std::filesystem::remove(broken.folder / "depth.04.exr");
+    std::filesystem::resize_file(broken.folder / "f.02.png", 700); // as a copy that was cut off
+    std::filesystem::copy_file(broken.folder / "f.00.png", broken.folder / "f.01.png",
+                               std::filesystem::copy_options::overwrite_existing); // another frame under its name
+    const auto kept = std::filesystem::last_write_time(broken.folder / "f.03.png");
+    const Outcome outcome = broken.render({"--resume"});
+    ASSERT_EQ(outcome.code, 0);
+    EXPECT_NE(outcome.output.find("2 of 6 frames are there already"), std::string::npos) << outcome.output;
+    EXPECT_EQ(broken.files(), whole.files());
+    EXPECT_EQ(std::filesystem::last_write_time(broken.folder / "f.03.png"), kept);
+    EXPECT_NE(broken.render({"--resume"}).output.find("6 of 6"), std::string::npos);
+}
+
+TEST(program, frames_of_other_settings_paths_and_scenes_are_drawn_again)
+{
+    const Walk walk("changed");
+    ASSERT_EQ(walk.render({}).code, 0);
+    const auto redrawn = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments = more;
+        arguments.emplace_back("--resume");
+        const Outcome outcome = walk.render(arguments);
+        EXPECT_EQ(outcome.code, 0);
+        return outcome.output.find("are there already") == std::string::npos;
+    };
+    EXPECT_FALSE(redrawn({}));
+    EXPECT_TRUE(redrawn({"--set", "exposure.ev100=3"}));
+    EXPECT_TRUE(redrawn({"--light", "point,position=0:3:0"}));
+    EXPECT_TRUE(redrawn({"--fov", "40"}));
+    walk.write_scene("[-8.0, 1.7, 0.5]", "[[material]]\nmatch = \"*\"\nroughness = 0.25\n");
+    EXPECT_TRUE(redrawn({}));
+    EXPECT_FALSE(redrawn({}));
+    walk.write_scene("[-8.5, 1.7, 0.5]", "[[material]]\nmatch = \"*\"\nroughness = 0.25\n");
+    EXPECT_TRUE(redrawn({}));
+    EXPECT_EQ(atrium({"render", court(), "-o", in_folder("one.png").string(), "--resume"}).code, 2);
+}
+
 TEST(program, stats_and_bench_have_their_keys)
 {
     const std::string stats_file = in_folder("stats.json").string(), bench_file = in_folder("bench.json").string();

@@ -40,6 +40,9 @@ void fill(ViewModel& model, PanelState& state)
     for (int i = 0; i < 20; ++i) model.duplicate_selected();
     model.scene_cameras = {{"hero", {}}, {"a camera of a name that is longer than the panel is wide", {}}};
     for (int i = 0; i < 20; ++i) EXPECT_EQ(add_bookmark(model.bookmarks, "", Camera{}), std::nullopt);
+    for (std::string name : {"", "walk", "a path of a name that is longer than the panel is wide"})
+        EXPECT_EQ(add_path(model.paths, name, Camera{}), std::nullopt);
+    for (int i = 1; i < 20; ++i) static_cast<void>(add_key(model.paths["walk"], static_cast<float>(i), Camera{}));
     for (int i = 0; i < 40; ++i)
         state.keys.push_back({"Ctrl + Shift + drag", "move the selected light along the view", "move"});
 }
@@ -69,7 +72,7 @@ TEST_P(Sizes, every_tab_fits)
         for (const Tab tab : all_tabs) {
             for (std::size_t selected = 0; selected < 4; ++selected) { // each type of light
                 if (busy) model.selected = selected;
-                if (busy) state.camera = selected;
+                if (busy) state.camera = state.path.path = state.path.key = selected;
                 state.show = tab;
                 state.headings = Headings::open;
                 for (int frame = 0; frame < 4; ++frame) gui.frame(draw, false);
@@ -111,7 +114,7 @@ TEST(panels, clicks_anywhere_leave_a_scene_that_can_be_drawn)
     ViewModel model;
     PanelState state;
     fill(model, state);
-    state.settings_file = ""; // which no click can write
+    state.settings_file = state.path.file = ""; // which no click can write
     FrameFacts facts = busy_frame();
     const auto draw = [&] { draw_panels(model, facts, state); };
     for (const Tab tab : all_tabs) {

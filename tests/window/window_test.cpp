@@ -135,6 +135,40 @@ TEST_F(Viewed, bookmarks_are_kept_and_gone_to)
     EXPECT_GT(change([&] { desktop->click(window, hero); }), 3);
 }
 
+TEST_F(Viewed, a_camera_path_is_made_played_and_saved)
+{
+    desktop->resize(window, {window_size.x, 860}); // so that all of the tab is in view, at y:
+    const int new_path = 541, play = 615, keys = 649, key_line = 20, add = 709, remove = 737, save = 765;
+    const ivec2 hero{70, 375}, fountain{70, 395}, relief{70, 455};
+    const auto click = [](ivec2 at) {
+        desktop->click(window, at);
+        EXPECT_TRUE(settle());
+    };
+    ASSERT_TRUE(settle());
+    click(fountain);
+    click({37, new_path}); // without a name, it gets one
+    click(relief);
+    click({50, add - key_line}); // the list of keys has one line yet
+    click(hero);
+    picture("window-path");
+    click({70, keys + key_line}); // the second key
+    const Image8 there = scene();
+    EXPECT_GT(change([&] { desktop->click(window, {70, keys}); }), 3);
+    click({38, play});
+    EXPECT_EQ(mean_difference(there, scene()), 0); // at its end
+
+    click({58, save});
+    const std::string command = "cd " + folder.string() + " && " + ATRIUM_BIN +
+                                "/atrium render scene.toml --path path0 --frames 2 --size 32x18 -o w.#.png --quiet";
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    EXPECT_TRUE(fs::exists(folder / "w.1.png"));
+    click({52, 170}); // puts the message away, of two lines
+    click({290, remove});
+    click(hero);
+    desktop->resize(window, window_size);
+    ASSERT_TRUE(settle());
+}
+
 TEST_F(Viewed, a_light_s_mark_is_clicked_and_dragged)
 {
     const ivec2 mark{744, 281}, beside{700, 330};
@@ -167,6 +201,14 @@ TEST_F(Viewed, buffers_take_the_place_of_the_picture_and_stand_beside_it)
     EXPECT_GT(change([] { desktop->click(window, {35, 290}); }), 1);
     EXPECT_GT(change([] { desktop->click(window, {35, 230}); }), 1);
     EXPECT_EQ(mean_difference(whole, scene()), 0);
+}
+
+TEST_F(Viewed, l_looks_through_the_selected_light_and_back)
+{
+    const Image8 start = scene();
+    EXPECT_GT(change([] { desktop->tap("l"); }), 3);
+    EXPECT_GT(change([] { desktop->tap("l"); }), 3);
+    EXPECT_EQ(mean_difference(start, scene()), 0);
 }
 
 TEST_F(Viewed, a_screenshot_is_drawn_again_to_the_byte)
