@@ -91,7 +91,6 @@ protected:
     /// have come to drawing yet.
     static bool settle(std::chrono::seconds most = 20s)
     {
-        constexpr double rest = 0.03; // s of CPU between two looks
         const auto end = std::chrono::steady_clock::now() + most;
         constexpr double resting = 0.03; // s of the processor between two looks, which it counts in 0.01 s
         Image8 before;
