@@ -92,8 +92,10 @@ Run add_view_command(CLI::App& app)
     add_scene_options(*command, o->scene);
     add_frame_options(*command, o->frame);
     command->add_flag("--continuous", o->continuous, "draw frame after frame, also when nothing changes");
-    command->add_option("--shaders", o->shaders,
-                        "compile the shaders of this folder again when they change (in a build tree: its own)");
+    command
+        ->add_option("--shaders", o->shaders,
+                     "compile the shaders of this folder again when they change (in a build tree: its own)")
+        ->envname("ATRIUM_SHADER_DIR");
     command->footer("Example:\n  atrium view out/courtyard/courtyard.toml --camera hero");
     return [o] { return run(*o); };
 }
