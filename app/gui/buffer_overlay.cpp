@@ -190,7 +190,9 @@ void draw_full_view(ViewModel& model, const std::string& name, const FrameFacts&
     }
     ImGui::End();
     const ImVec2 mouse = ImGui::GetMousePos();
-    const bool over_view = !ImGui::GetIO().WantCaptureMouse && ImGui::IsMousePosValid() && !ImGui::IsAnyMouseDown();
+    const bool at_other_side = model.split && mouse.x < model.split->divider * display.x; // which shows something else
+    const bool over_view =
+        !ImGui::GetIO().WantCaptureMouse && ImGui::IsMousePosValid() && !ImGui::IsAnyMouseDown() && !at_other_side;
     if (over_view && !facts.buffers.empty()) draw_values(facts, 0, {mouse.x / display.x, mouse.y / display.y});
 }
 

@@ -61,7 +61,7 @@ void draw_add_row(ViewModel& model, PanelState& state)
     state.message = add_bookmark(model.bookmarks, state.new_bookmark, model.camera).value_or("");
     if (!state.message.empty()) return;
     state.new_bookmark.clear();
-    state.camera = model.scene_cameras.size() + model.bookmarks.size() - 1;
+    state.camera = model.scene_file.cameras.size() + model.bookmarks.size() - 1;
 }
 
 void draw_selected_bookmark(ViewModel& model, PanelState& state, std::size_t index)
@@ -81,14 +81,14 @@ void draw_selected_bookmark(ViewModel& model, PanelState& state, std::size_t ind
 void draw_named(ViewModel& model, PanelState& state)
 {
     std::vector<std::string> lines;
-    for (const auto& [name, camera] : model.scene_cameras) lines.push_back(name + "  of the scene");
+    for (const auto& [name, camera] : model.scene_file.cameras) lines.push_back(name + "  of the scene");
     for (const auto& [name, camera] : model.bookmarks) lines.push_back(name);
     if (state.camera && *state.camera >= lines.size()) state.camera.reset();
     draw_add_row(model, state);
-    const std::size_t of_scene = model.scene_cameras.size();
+    const std::size_t of_scene = model.scene_file.cameras.size();
     if (draw_list("named", lines, state.camera, "No cameras with names yet.")) {
         const std::size_t i = *state.camera;
-        model.camera = i < of_scene ? model.scene_cameras[i].second : model.bookmarks[i - of_scene].second;
+        model.camera = i < of_scene ? model.scene_file.cameras[i].second : model.bookmarks[i - of_scene].second;
     }
     if (state.camera && *state.camera >= of_scene) draw_selected_bookmark(model, state, *state.camera - of_scene);
 }

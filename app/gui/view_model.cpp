@@ -146,7 +146,7 @@ void ViewModel::save_scene(const std::filesystem::path& file) const
     scene.lights = lights;
     scene.paths = paths;
     Bookmarks cameras{{"window", camera}};
-    for (const NamedCamera& c : scene_cameras) {
+    for (const NamedCamera& c : scene_file.cameras) {
         if (c.first != "window") cameras.push_back(c);
     }
     for (auto [name, bookmark] : bookmarks) {

@@ -45,10 +45,9 @@ public:
     std::optional<Split> split;          ///< no part of undo and redo
     std::vector<PinnedBuffer> pinned;    ///< at most max_insets, no name twice
     std::string scene_name;
-    std::vector<NamedCamera> scene_cameras; ///< of the scene's file
     Bookmarks bookmarks;
     CameraPaths paths;
-    SceneFile scene_file; ///< as it was opened: its bake, instances and materials are not edited
+    SceneFile scene_file; ///< as it was opened: its bake, instances, materials and cameras are not edited
 
     /// Begins anew, without anything to undo. Lights without a name are given theirs; throws Error(usage) for names
     /// that name_lights() refuses, and changes nothing then.

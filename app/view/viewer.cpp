@@ -61,7 +61,6 @@ Viewer::Viewer(Window& window, Engine& engine, const ViewerStart& start)
     model_.reset(start.frame.settings, start.frame.camera, start.frame.lights);
     model_.scene_name = start.scene;
     model_.scene_file = start.scene_file;
-    model_.scene_cameras = start.scene_file.cameras;
     model_.paths = start.scene_file.paths;
     model_.bookmarks = start.bookmarks;
     facts_.device = engine.device().report().name;
@@ -375,7 +374,7 @@ void Viewer::draw_picture(PictureSlot slot, uvec2 pixels, bool moving, const Cam
     request_.keep_buffers = main && share == 1;
     request_.want_statistics = share == 1;
     request_.remember = share < 1; // what stands is drawn as `render` draws it, whatever was before
-    const bool first = kept.state.empty();
+    const bool first = main && kept.state.empty();
     kept = {wanted, pixels, share};
     FrameResult frame;
     try {

@@ -167,6 +167,10 @@ TEST_F(buffer_overlay, asks_for_the_value_under_the_mouse)
     asked = vec2(-1);
     draw();
     EXPECT_EQ(asked, vec2(-1));
+    gui.mouse(600, 300, false); // at the side that shows other settings
+    model.split = Split{model.settings, 0.9f};
+    draw();
+    EXPECT_EQ(asked, vec2(-1));
 }
 
 } // namespace

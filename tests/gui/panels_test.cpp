@@ -38,7 +38,7 @@ void fill(ViewModel& model, PanelState& state)
     for (const LightType type : {LightType::sun, LightType::spot, LightType::point, LightType::rect})
         model.add_light(type, vec3(1));
     for (int i = 0; i < 20; ++i) model.duplicate_selected();
-    model.scene_cameras = {{"hero", {}}, {"a camera of a name that is longer than the panel is wide", {}}};
+    model.scene_file.cameras = {{"hero", {}}, {"a camera of a name that is longer than the panel is wide", {}}};
     for (int i = 0; i < 20; ++i) EXPECT_EQ(add_bookmark(model.bookmarks, "", Camera{}), std::nullopt);
     for (std::string name : {"", "walk", "a path of a name that is longer than the panel is wide"})
         EXPECT_EQ(add_path(model.paths, name, Camera{}), std::nullopt);

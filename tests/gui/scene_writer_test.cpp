@@ -20,7 +20,7 @@ void fill(ViewModel& model, const std::filesystem::path& folder)
     file.materials[0].base_color = vec3(0.1f, 1, 0);
     file.materials[1].match = "*";
     file.materials[1].roughness = 0.3f;
-    model.scene_cameras = {{"hero", {{1, 2, 3}, {4, 5, 6}, 70}}, {"window", {}}};
+    model.scene_file.cameras = {{"hero", {{1, 2, 3}, {4, 5, 6}, 70}}, {"window", {}}};
     for (const LightType type : {LightType::sun, LightType::spot, LightType::point, LightType::rect})
         model.add_light(type, {1, 0.1f, -3});
     model.lights[1].color = {1, 0.9f, 0.25f};
@@ -48,8 +48,10 @@ TEST(scene_writer, what_the_window_saves_it_reads_back)
     EXPECT_EQ(read.bake, model.scene_file.bake);
     EXPECT_EQ(read.lights, model.lights);
     EXPECT_EQ(read.paths, model.paths);
-    const Bookmarks cameras{
-        {"window", model.camera}, model.scene_cameras[0], model.bookmarks[0], {"hero_", model.bookmarks[1].second}};
+    const Bookmarks cameras{{"window", model.camera},
+                            model.scene_file.cameras[0],
+                            model.bookmarks[0],
+                            {"hero_", model.bookmarks[1].second}};
     EXPECT_EQ(read.cameras, cameras);
     ASSERT_EQ(read.instances.size(), 2u);
     EXPECT_EQ(read.instances[0].mesh, "lid");

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
 namespace atrium::gui {
 namespace {
 
@@ -21,14 +23,22 @@ TEST(split_view, tells_what_the_sides_differ_in)
     EXPECT_EQ(lines[1], "shadow.samples: " + std::to_string(first.shadow.samples) + " | 7");
 }
 
-TEST(split_view, the_divider_follows_the_mouse_and_stays_within_the_window)
-{
-    const HeadlessGui gui(800, 600);
+/// A split view with its divider in the middle.
+class divider : public ::testing::Test {
+protected:
+    divider()
+    {
+        model.split = Split{model.settings};
+        gui.frame(draw, false);
+    }
+    HeadlessGui gui{800, 600};
     ViewModel model;
     FrameFacts facts;
-    model.split = Split{model.settings};
-    const auto draw = [&] { draw_divider(model, facts, 1); };
-    gui.frame(draw, false);
+    std::function<void()> draw = [this] { draw_divider(model, facts, 1); };
+};
+
+TEST_F(divider, follows_the_mouse_and_stays_within_the_window)
+{
     const auto drag_to = [&](float x) {
         const float from = model.split->divider * 800;
         gui.mouse(from, 300, false);
@@ -51,14 +61,8 @@ TEST(split_view, the_divider_follows_the_mouse_and_stays_within_the_window)
     EXPECT_TRUE(gui.cut_off().empty());
 }
 
-TEST(split_view, a_press_beside_the_divider_moves_nothing)
+TEST_F(divider, stays_when_the_press_is_beside_it)
 {
-    const HeadlessGui gui(800, 600);
-    ViewModel model;
-    FrameFacts facts;
-    model.split = Split{model.settings};
-    const auto draw = [&] { draw_divider(model, facts, 1); };
-    gui.frame(draw, false);
     gui.click(300, 300, draw, false);
     EXPECT_FLOAT_EQ(model.split->divider, 0.5f);
 }

@@ -172,6 +172,7 @@ TEST_F(Viewed, a_camera_path_is_made_played_and_saved)
 TEST_F(Viewed, a_light_s_mark_is_clicked_and_dragged)
 {
     const ivec2 mark{744, 281}, beside{700, 330};
+    desktop->click(window, {105, 140}); // the tab of lights
     desktop->click(window, mark);
     desktop->move(window, {850, 500});
     ASSERT_TRUE(settle());

@@ -74,15 +74,17 @@ std::vector<std::string> aov_names(std::span<const Light> lights)
 
 Aov parse_aov(std::string_view name, std::span<const Light> lights)
 {
-    std::vector<std::string> names;
     for (const AovInfo& info : aov_table()) {
         const std::string_view own = info.name;
         if (!info.per_light && name == own) return {&info, 0};
         if (info.per_light && name.size() > own.size() + 1 && name.starts_with(own) && name[own.size()] == '.') {
             return {&info, static_cast<std::uint32_t>(find_light(lights, name.substr(own.size() + 1)))};
         }
-        names.push_back(info.per_light ? fmt::format("{}.{}", own, lights.empty() ? "0" : lights.front().name)
-                                       : std::string(own));
+    }
+    std::vector<std::string> names;
+    for (const AovInfo& info : aov_table()) {
+        names.push_back(info.per_light ? fmt::format("{}.{}", info.name, lights.empty() ? "0" : lights.front().name)
+                                       : std::string(info.name));
     }
     throw Error(ExitCode::usage, fmt::format("no AOV is called \"{}\"", name), "--aov",
                 fmt::format("did you mean \"{}\"?", nearest_name(name, names)),
