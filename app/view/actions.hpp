@@ -29,6 +29,7 @@ enum class Action : std::uint8_t {
     normal_mapping,
     frame,
     compare,
+    open,
     gui,
     help,
     shaders,
