@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <utility>
 
 namespace atrium::app {
 namespace {
@@ -31,8 +32,21 @@ void read_keys(ViewerStart& start)
     if (file.empty() || !std::filesystem::exists(file)) return;
     const std::vector<Error> errors = start.keys.read(file);
     for (const Error& error : errors) log_info(error.text());
-    if (!errors.empty()) start.message = errors.front().text();
+    if (errors.empty()) return;
+    start.message += (start.message.empty() ? "" : "\n") + errors.front().text();
     if (errors.size() > 1) start.message += fmt::format("\nand {} more, told in the terminal", errors.size() - 1);
+}
+
+/// What the window remembers; a damaged file makes a message, and all is as on the first day.
+WindowState read_state(const std::filesystem::path& file, std::string& message)
+{
+    try {
+        return read_window_state(file);
+    } catch (const Error& error) {
+        log_warning(error.text());
+        message = error.text();
+        return {};
+    }
 }
 
 /// The sources that are watched: those asked for, or those beside a program that still stands in its build tree.
@@ -49,37 +63,33 @@ std::filesystem::path shader_folder(const std::filesystem::path& wanted)
 
 int run(const Options& o)
 {
-    const SceneInput scene = read_scene_input(o.scene, o.frame);
+    SceneInput scene = read_scene_input(o.scene, o.frame);
     const SettingChain chain(o.frame, scene);
     ViewerStart start;
-    start.frame = make_request(o.frame, scene, chain);
-    start.scene = o.scene.scene.filename().string();
+    start.scene = {scene_path(o.scene.scene), make_request(o.frame, scene, chain), scene.file};
     start.continuous = o.continuous;
     start.shaders = shader_folder(o.shaders);
-    read_keys(start);
 
-    const std::filesystem::path state_file = user_file("window.toml"), path = std::filesystem::absolute(o.scene.scene);
-    WindowState state = read_window_state(state_file).value_or(WindowState{});
+    const std::filesystem::path state_file = user_file("window.toml");
+    WindowState state = read_state(state_file, start.message);
+    read_keys(start);
     if (o.frame.size) state.place.size = ivec2(*o.frame.size);
     const bool camera_given = !o.frame.camera.empty() || o.frame.eye || !o.frame.config.empty();
-    if (state.scene == path && !camera_given) start.frame.camera = state.camera;
-    start.scene_file = scene.file;
-    start.bookmarks = state.bookmarks[path.string()];
+    if (state.scene == start.scene.file && !camera_given) start.scene.frame.camera = state.camera;
+    start.bookmarks = state.bookmarks;
+    start.recent = state.recent;
     start.settings_file = state.settings_file;
     Window window("Atrium", state.place);
     EngineOptions options = engine_options(o.scene);
     options.window = window.window_system();
     Engine engine(options);
-    start.frame.settings = chain.apply(engine.device().report().is_cpu);
+    start.scene.frame.settings = chain.apply(engine.device().report().is_cpu);
     engine.load(scene.description());
-    Viewer viewer(window, engine, start);
+    SceneOpener opener(engine, o.scene, o.frame, std::move(scene));
+    Viewer viewer(window, engine, opener, start);
     viewer.run();
-    state.place = window.place();
-    state.scene = path;
-    state.camera = viewer.camera();
-    state.settings_file = viewer.settings_file();
-    state.bookmarks[path.string()] = viewer.bookmarks();
-    write_window_state(state_file, state);
+    write_window_state(state_file, {window.place(), viewer.scene(), viewer.camera(), viewer.settings_file(),
+                                    viewer.bookmarks(), viewer.recent()});
     return verdict(engine);
 }
 

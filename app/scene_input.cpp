@@ -1,6 +1,7 @@
 #include "app/scene_input.hpp"
 
 #include "app/config.hpp"
+#include "app/obj_bake.hpp"
 #include "app/presets.hpp"
 #include "renderer/core/error.hpp"
 #include "renderer/core/nearest_name.hpp"
@@ -54,6 +55,11 @@ std::size_t open_bake(SceneInput& in, const std::filesystem::path& path)
 
 } // namespace
 
+bool is_obj(const std::filesystem::path& scene)
+{
+    return lower_extension(scene) == ".obj";
+}
+
 SceneDescription SceneInput::description() const
 {
     SceneDescription out;
@@ -67,11 +73,12 @@ SceneInput read_scene_input(const SceneOptions& o, const FrameOptions& frame)
 {
     SceneInput in;
     if (!frame.config.empty()) in.config = read_config(frame.config);
-    const std::string extension = lower_extension(o.scene);
-    if (extension == ".toml") {
+    if (lower_extension(o.scene) == ".toml") {
         in.file = read_scene_file(o.scene);
-    } else if (extension == ".obj") {
-        in.file.bake = bake_to_cache(o.scene, o.bake_scale, o.bake_up);
+    } else if (is_obj(o.scene)) {
+        ObjBake bake(o.scene, o.bake_scale, o.bake_up, ObjBake::Output::shown);
+        bake.wait();
+        in.file.bake = bake.bake();
     } else {
         in.file.bake = o.scene;
     }

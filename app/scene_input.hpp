@@ -62,11 +62,10 @@ private:
 /// $XDG_CACHE_HOME/atrium, or ~/.cache/atrium; empty when neither variable is set.
 [[nodiscard]] std::filesystem::path cache_folder();
 
-/// Bakes an OBJ with the assetconv beside this program, unless the cache has it. Returns the bake's path.
-[[nodiscard]] std::filesystem::path bake_to_cache(const std::filesystem::path& obj, double scale,
-                                                  const std::string& up);
+/// By its ending.
+[[nodiscard]] bool is_obj(const std::filesystem::path& scene);
 
-/// A camera for a scene that names none : inside when the middle is free and mostly enclosed.
+/// A camera for a scene that names none: inside when the middle is free and mostly enclosed.
 [[nodiscard]] Camera find_camera(const BakeFile& bake, float fov, float aspect);
 
 } // namespace atrium::app

@@ -1,48 +1,17 @@
 #include "app/shader_compiler.hpp"
 
 #include "app/child_process.hpp"
+#include "app/scratch_folder.hpp"
 #include "renderer/core/error.hpp"
 #include "shaders/sources.hpp"
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstdlib>
+#include <algorithm>
 #include <cstring>
-#include <fstream>
-#include <iterator>
-#include <system_error>
 
 namespace atrium::app {
 namespace {
-
-/// A folder that goes with its object.
-class ScratchFolder {
-public:
-    ScratchFolder()
-    {
-        std::string name = (std::filesystem::temp_directory_path() / "atrium-XXXXXX").string();
-        if (!mkdtemp(name.data())) {
-            throw Error(ExitCode::environment, "no folder for compiled shaders", name, std::strerror(errno),
-                        "make room there, or set TMPDIR");
-        }
-        path = name;
-    }
-    ~ScratchFolder()
-    {
-        std::error_code ignored;
-        std::filesystem::remove_all(path, ignored);
-    }
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-    std::filesystem::path path;
-};
-
-std::string read_text(const std::filesystem::path& file)
-{
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
 
 /// From "ERROR: FILE:LINE: message" on the first such line of what the compiler printed.
 Error first_mistake(const std::string& printed, const std::filesystem::path& folder, const std::string& shader)
@@ -67,7 +36,7 @@ Error first_mistake(const std::string& printed, const std::filesystem::path& fol
 std::vector<std::uint32_t> compile_shader(const std::filesystem::path& folder, const std::string& name)
 {
     const ScratchFolder scratch;
-    const std::filesystem::path code_file = scratch.path / "code", printed_file = scratch.path / "printed";
+    const std::filesystem::path code_file = scratch.path() / "code", printed_file = scratch.path() / "printed";
     std::vector<std::string> command(shaders::compiler().begin(), shaders::compiler().end());
     for (std::string word : {"-I" + folder.string(), std::string("-o"), code_file.string(), (folder / name).string()})
         command.push_back(std::move(word));

@@ -28,6 +28,15 @@ bool flowing_button(const char* label, bool first)
     return ImGui::Button(label);
 }
 
+bool list_line(const std::string& text, bool selected)
+{
+    const float width = ImGui::GetContentRegionAvail().x;
+    const bool clicked = ImGui::Selectable(fmt::format("{}###line", text).c_str(), selected,
+                                           ImGuiSelectableFlags_DontClosePopups, {width, 0});
+    if (ImGui::CalcTextSize(text.c_str()).x > width) tooltip(text.c_str());
+    return clicked;
+}
+
 bool draw_list(const char* id, const std::vector<std::string>& lines, std::optional<std::size_t>& selected,
                const char* none)
 {
@@ -40,12 +49,10 @@ bool draw_list(const char* id, const std::vector<std::string>& lines, std::optio
         if (lines.empty()) ImGui::TextDisabled("%s", none);
         for (std::size_t i = 0; i < lines.size(); ++i) {
             ImGui::PushID(static_cast<int>(i));
-            const float width = ImGui::GetContentRegionAvail().x;
-            if (ImGui::Selectable(fmt::format("{}###line", lines[i]).c_str(), selected == i, 0, {width, 0})) {
+            if (list_line(lines[i], selected == i)) {
                 selected = i;
                 clicked = true;
             }
-            if (ImGui::CalcTextSize(lines[i].c_str()).x > width) tooltip(lines[i].c_str());
             ImGui::PopID();
         }
     }

@@ -36,6 +36,7 @@ constexpr std::array actions{
                "compare",
                {GLFW_KEY_V, 0},
                "write three pictures: as it is, shadows by reference, their difference x 4"},
+    ActionInfo{Action::open, "open", {GLFW_KEY_O, GLFW_MOD_CONTROL}, "open another scene; or drop its file here"},
     ActionInfo{Action::gui, "gui", {GLFW_KEY_F1, 0}, "show and hide the panels"},
     ActionInfo{Action::help, "help", {GLFW_KEY_H, 0}, "this list"},
     ActionInfo{Action::shaders, "shaders", {GLFW_KEY_F5, 0}, "compile the shaders again"},

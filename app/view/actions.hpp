@@ -32,6 +32,7 @@ enum class Action : std::uint8_t {
     frame,
     light_view,
     compare,
+    open,
     gui,
     help,
     shaders,

@@ -9,6 +9,7 @@
 #include "app/view/numbered_file.hpp"
 #include "renderer/core/atomic_file.hpp"
 #include "renderer/core/error.hpp"
+#include "renderer/core/log.hpp"
 
 #include <fmt/format.h>
 #include <imgui/imgui.h>
@@ -26,7 +27,7 @@ using Clock = std::chrono::steady_clock;
 constexpr double moving_goal_ms = 60; ///< a frame while something moves
 constexpr int settle_frames = 3;      ///< of the interface after an event: hovers and layouts take two
 constexpr double idle_wait = 0.5;     ///< s, between looks at what has no events
-constexpr double job_wait = 0.05;     ///< s, the same while there is work beside the window
+constexpr double job_wait = 0.1;      ///< s, the same while there is work beside the window
 
 double seconds_since(Clock::time_point start)
 {
@@ -54,15 +55,10 @@ float MovingScale::choose(double goal_ms) const
     return static_cast<float>(std::clamp(std::floor(share * 20) / 20, 0.2, 1.0));
 }
 
-Viewer::Viewer(Window& window, Engine& engine, const ViewerStart& start)
-    : window_(window), engine_(engine), gui_(window, engine), flight_(engine.scene().bounds().diagonal()),
-      keys_(start.keys), reload_(engine, start.shaders), request_(start.frame), continuous_(start.continuous)
+Viewer::Viewer(Window& window, Engine& engine, SceneOpener& opener, const ViewerStart& start)
+    : window_(window), engine_(engine), opener_(opener), gui_(window, engine), keys_(start.keys),
+      reload_(engine, start.shaders), continuous_(start.continuous), recent_(start.recent), bookmarks_(start.bookmarks)
 {
-    model_.reset(start.frame.settings, start.frame.camera, start.frame.lights);
-    model_.scene_name = start.scene;
-    model_.scene_file = start.scene_file;
-    model_.paths = start.scene_file.paths;
-    model_.bookmarks = start.bookmarks;
     facts_.device = engine.device().report().name;
     facts_.is_cpu = engine.device().report().is_cpu;
     facts_.insets = Gui::insets();
@@ -70,7 +66,66 @@ Viewer::Viewer(Window& window, Engine& engine, const ViewerStart& start)
     panels_.keys = keys_.help();
     panels_.message = start.message;
     panels_.settings_file = start.settings_file;
-    window.set_title("Atrium: " + start.scene);
+    begin(start.scene);
+}
+
+void Viewer::begin(const SceneStart& start)
+{
+    request_ = start.frame;
+    model_.reset(start.frame.settings, start.frame.camera, start.frame.lights);
+    model_.scene_name = start.file.filename().string();
+    model_.scene_file = start.scene_file;
+    model_.paths = start.scene_file.paths;
+    model_.bookmarks = bookmarks_[start.file.string()];
+    remember_scene(recent_, start.file);
+    model_.split.reset();
+    panels_.camera.reset();
+    panels_.path = {};
+    light_view_ = {};
+    flight_ = gui::FlyCamera(engine_.scene().bounds().diagonal());
+    handles_ = {};
+    moving_scale_ = {};
+    for (KeptPicture& kept : kept_) kept.share = 0; // what is drawn is of another scene
+    new_scene_ = true;
+}
+
+BookmarksOfScenes Viewer::bookmarks() const
+{
+    BookmarksOfScenes all = bookmarks_;
+    all[scene().string()] = model_.bookmarks;
+    return all;
+}
+
+void Viewer::open(const std::filesystem::path& file)
+{
+    panels_.message.clear();
+    try {
+        opener_.open(file);
+    } catch (const Error& error) {
+        refuse(error);
+    }
+}
+
+bool Viewer::follow_opener()
+{
+    if (const auto dropped = window_.take_dropped()) open(*dropped);
+    try {
+        if (const auto start = opener_.update()) {
+            bookmarks_ = bookmarks(); // of the scene that goes
+            begin(*start);
+        }
+    } catch (const Error& error) {
+        refuse(error);
+    }
+    const std::string progress = opener_.progress();
+    return std::exchange(progress_, progress) != progress;
+}
+
+void Viewer::refuse(const Error& error)
+{
+    panels_.message = error.text();
+    show_gui_ = true;
+    log_warning(error.text());
 }
 
 void Viewer::run()
@@ -80,8 +135,9 @@ void Viewer::run()
     bool moving = false, seen = false;
     while (!window_.closed()) {
         const bool busy = continuous_ || moving || unsettled > 0 || unfinished();
-        const double wait = reload_.busy() ? job_wait : idle_wait;
+        const double wait = reload_.busy() || opener_.busy() ? job_wait : idle_wait;
         if (window_.poll(busy ? 0 : wait)) unsettled = settle_frames;
+        if (follow_opener()) unsettled = settle_frames;
         if (reload_.update()) {
             for (KeptPicture& kept : kept_) kept.share = 0; // out of date, whatever they show
             unsettled = settle_frames;
@@ -107,6 +163,7 @@ void Viewer::run()
         if (!shown.done) unsettled = settle_frames;
         if (!seen) window_.show(); // with the first picture in it
         seen = true;
+        if (std::exchange(new_scene_, false)) window_.set_title("Atrium: " + model_.scene_name);
         unsettled = std::max(unsettled - 1, 0);
     }
 }
@@ -200,6 +257,9 @@ void Viewer::act(Action action, uvec2 pixels)
     case Action::compare:
         write_comparison(pixels);
         break;
+    case Action::open:
+        open_dialog_.show();
+        break;
     case Action::frame:
         frame_selection(pixels);
         break;
@@ -263,10 +323,19 @@ void Viewer::draw_interface(uvec2 pixels)
         gui::draw_buffers(model_, facts_, panels_.scale);
         gui::draw_divider(model_, facts_, panels_.scale);
     }
+    draw_notices();
+    if (const auto file = open_dialog_.draw(recent_, gui_.scale())) open(*file);
     if (std::exchange(panels_.frame, false)) frame_selection(pixels);
+    if (const auto file = std::exchange(panels_.save_costs, std::nullopt)) write_costs(*file);
+}
+
+void Viewer::draw_notices()
+{
     if (!reload_.problem().empty())
         gui::draw_notice(gui::Corner::bottom_right, reload_.problem(), nullptr, gui_.scale());
-    if (const auto file = std::exchange(panels_.save_costs, std::nullopt)) write_costs(*file);
+    if (progress_.empty()) return;
+    const char* button = opener_.baking() ? "Cancel" : nullptr;
+    if (gui::draw_notice(gui::Corner::top_right, progress_, button, gui_.scale())) opener_.cancel();
 }
 
 FrameRequest Viewer::wanted_frame(const Settings& settings, uvec2 size) const

@@ -4,17 +4,22 @@
 #include "app/gui/fly_camera.hpp"
 #include "app/gui/light_handles.hpp"
 #include "app/gui/light_view.hpp"
+#include "app/gui/open_dialog.hpp"
 #include "app/gui/panels.hpp"
 #include "app/gui/view_model.hpp"
 #include "app/view/gui.hpp"
 #include "app/view/key_bindings.hpp"
+#include "app/view/scene_opener.hpp"
 #include "app/view/shader_reload.hpp"
+#include "renderer/core/error.hpp"
 
 #include <array>
 #include <chrono>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace atrium::app {
 
@@ -31,12 +36,13 @@ private:
     double full_ms_ = 0;
 };
 
+using BookmarksOfScenes = std::map<std::string, gui::Bookmarks>; ///< by scene_path()
+
 /// What a window begins with.
 struct ViewerStart {
-    FrameRequest frame;
-    std::string scene; ///< its name
-    SceneFile scene_file;
-    gui::Bookmarks bookmarks;
+    SceneStart scene;
+    BookmarksOfScenes bookmarks;
+    std::vector<std::filesystem::path> recent; ///< scenes, newest first
     std::string settings_file;
     KeyBindings keys;
     std::string message;           ///< shown until it is put away
@@ -46,14 +52,24 @@ struct ViewerStart {
 
 class Viewer {
 public:
-    Viewer(Window& window, Engine& engine, const ViewerStart& start);
+    Viewer(Window& window, Engine& engine, SceneOpener& opener, const ViewerStart& start);
     /// Until the window is closed.
     void run();
     [[nodiscard]] const Camera& camera() const { return model_.camera; }
-    [[nodiscard]] const gui::Bookmarks& bookmarks() const { return model_.bookmarks; }
+    /// The scene that it shows.
+    [[nodiscard]] const std::filesystem::path& scene() const { return recent_.front(); }
+    /// That one and those before, newest first.
+    [[nodiscard]] const std::vector<std::filesystem::path>& recent() const { return recent_; }
+    [[nodiscard]] BookmarksOfScenes bookmarks() const;
     [[nodiscard]] const std::string& settings_file() const { return panels_.settings_file; }
 
 private:
+    /// With the scene that the engine has now.
+    void begin(const SceneStart& start);
+    void open(const std::filesystem::path& file);
+    void refuse(const Error& error); ///< shows it, and says it in the log
+    /// Begins with another scene when it has come. True where there is something new to be shown.
+    [[nodiscard]] bool follow_opener();
     /// `on_handle`: the mouse is busy with a light.
     [[nodiscard]] bool fly(double seconds, bool on_handle);
     /// The selected light follows the mouse: in the view's plane, or (`along`) nearer and farther.
@@ -67,6 +83,7 @@ private:
     /// Through the selected light, or back.
     void look_through_light();
     void draw_interface(uvec2 pixels);
+    void draw_notices();
     /// What the model says, drawn as `render` draws it, into the present folder, with its description.
     void write_screenshot(uvec2 pixels);
     void write_comparison(uvec2 pixels);
@@ -88,6 +105,7 @@ private:
 
     Window& window_;
     Engine& engine_;
+    SceneOpener& opener_;
     Gui gui_;
     gui::ViewModel model_;
     gui::PanelState panels_;
@@ -95,6 +113,7 @@ private:
     gui::FlyCamera flight_;
     gui::LightHandles handles_;
     gui::LightView light_view_;
+    gui::OpenDialog open_dialog_;
     KeyBindings keys_;
     ShaderReload reload_;
     FrameRequest request_;
@@ -106,7 +125,11 @@ private:
         uvec2 pixels{0};   ///< of the window for which it was drawn
         float share = 0;   ///< of them along each side
     };
-    std::array<KeptPicture, 2> kept_; ///< by PictureSlot
+    std::array<KeptPicture, 2> kept_;           ///< by PictureSlot
+    std::vector<std::filesystem::path> recent_; ///< scenes, newest first
+    BookmarksOfScenes bookmarks_;               ///< as they were when their scenes were left
+    bool new_scene_ = false;                    ///< the window's title waits for its first picture
+    std::string progress_;                      ///< of the opener, as it is shown
     std::optional<vec2> drag_from_;
     std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 };

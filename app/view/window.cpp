@@ -86,6 +86,10 @@ void Window::listen()
     glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { on_event(self(w)); });
     glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { on_event(self(w)); });
     glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double) { on_event(self(w)); });
+    glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** files) {
+        on_event(self(w));
+        if (count > 0) self(w).dropped_ = files[0];
+    });
     glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { on_event(self(w)); });
     glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { on_event(self(w)); });
     glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { on_event(self(w)); });
@@ -178,6 +182,11 @@ void Window::toggle_full_screen()
 std::vector<KeyPress> Window::take_presses()
 {
     return std::exchange(presses_, {});
+}
+
+std::optional<std::filesystem::path> Window::take_dropped()
+{
+    return std::exchange(dropped_, std::nullopt);
 }
 
 bool Window::held(int key) const

@@ -4,6 +4,8 @@
 #include "renderer/core/math.hpp"
 #include "renderer/gpu/swapchain.hpp"
 
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,6 +52,8 @@ public:
     [[nodiscard]] std::vector<KeyPress> take_presses();
     /// Now, or since this was last asked.
     [[nodiscard]] bool held(int key) const;
+    /// The file dropped on it since the last call; the first of several.
+    [[nodiscard]] std::optional<std::filesystem::path> take_dropped();
 
 private:
     static void on_event(Window& window) { window.events_ = true; }
@@ -58,6 +62,7 @@ private:
     bool events_ = false;
     WindowPlace windowed_; ///< before full screen
     std::vector<KeyPress> presses_;
+    std::optional<std::filesystem::path> dropped_;
 };
 
 } // namespace atrium::app

@@ -30,6 +30,39 @@ Camera read_camera(const TomlReader& reader)
     return camera;
 }
 
+WindowState parse_state(const std::filesystem::path& file)
+{
+    const toml::table table = parse_toml(file);
+    const TomlReader reader(file, table, "the window's state",
+                            {"x", "y", "width", "height", "maximised", "scene", "eye", "target", "fov", "settings_file",
+                             "bookmark", "recent"});
+    WindowState s;
+    s.place.position = {whole(reader, "x", -1), whole(reader, "y", -1)};
+    s.place.size = {whole(reader, "width", s.place.size.x), whole(reader, "height", s.place.size.y)};
+    s.place.maximised = reader.on_off("maximised").value_or(false);
+    s.scene = reader.text("scene").value_or("");
+    s.camera = read_camera(reader);
+    s.settings_file = reader.text("settings_file").value_or(s.settings_file);
+    for (const toml::table* bookmark : reader.tables("bookmark")) {
+        const TomlReader in(file, *bookmark, "a bookmark", {"scene", "name", "eye", "target", "fov"});
+        s.bookmarks[in.required_text("scene")].emplace_back(in.required_text("name"), read_camera(in));
+    }
+    for (const toml::table* recent : reader.tables("recent"))
+        s.recent.emplace_back(TomlReader(file, *recent, "a recent scene", {"scene"}).required_text("scene"));
+    return s;
+}
+
+/// Renames a damaged file, so that it is not written over when the window closes. Returns what the user can do then.
+std::string put_aside(const std::filesystem::path& file)
+{
+    std::filesystem::path aside = file;
+    aside += ".damaged";
+    std::error_code error;
+    std::filesystem::rename(file, aside, error);
+    if (error) return fmt::format("copy it before the window closes: it is written anew then ({})", error.message());
+    return fmt::format("it is kept as {}: mend it, and rename it back while no window is open", aside.string());
+}
+
 } // namespace
 
 std::filesystem::path user_file(const std::string& name)
@@ -40,29 +73,13 @@ std::filesystem::path user_file(const std::string& name)
     return {};
 }
 
-std::optional<WindowState> read_window_state(const std::filesystem::path& file)
+WindowState read_window_state(const std::filesystem::path& file)
 {
-    if (file.empty() || !std::filesystem::exists(file)) return std::nullopt;
+    if (file.empty() || !std::filesystem::exists(file)) return {};
     try {
-        const toml::table table = parse_toml(file);
-        const TomlReader reader(
-            file, table, "the window's state",
-            {"x", "y", "width", "height", "maximised", "scene", "eye", "target", "fov", "settings_file", "bookmark"});
-        WindowState s;
-        s.place.position = {whole(reader, "x", -1), whole(reader, "y", -1)};
-        s.place.size = {whole(reader, "width", s.place.size.x), whole(reader, "height", s.place.size.y)};
-        s.place.maximised = reader.on_off("maximised").value_or(false);
-        s.scene = reader.text("scene").value_or("");
-        s.camera = read_camera(reader);
-        s.settings_file = reader.text("settings_file").value_or(s.settings_file);
-        for (const toml::table* bookmark : reader.tables("bookmark")) {
-            const TomlReader in(file, *bookmark, "a bookmark", {"scene", "name", "eye", "target", "fov"});
-            s.bookmarks[in.required_text("scene")].emplace_back(in.required_text("name"), read_camera(in));
-        }
-        return s;
+        return parse_state(file);
     } catch (const Error& error) {
-        log_info(error.text());
-        return std::nullopt;
+        throw Error(error.code(), error.what(), error.where(), error.why(), put_aside(file));
     }
 }
 
@@ -79,6 +96,8 @@ void write_window_state(const std::filesystem::path& file, const WindowState& s)
                                 toml_camera(camera));
         }
     }
+    for (const std::filesystem::path& scene : s.recent)
+        text += fmt::format("\n[[recent]]\nscene = {}\n", toml_string(scene.string()));
     try {
         std::error_code ignored; // writing tells
         std::filesystem::create_directories(file.parent_path(), ignored);

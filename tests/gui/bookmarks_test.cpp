@@ -38,6 +38,7 @@ TEST(bookmarks, come_back_with_the_window_for_each_scene)
     state.settings_file = "mine.toml";
     state.bookmarks["/a"] = {{"a \\ \"door\"", here}, {"überall", {{-1e-3f, 0, 1e6f}, {0, 0, 0}, 1.5f}}};
     state.bookmarks["/b"] = {{"door", {}}};
+    state.recent = {"/b", "/a"};
     app::write_window_state(file, state);
     EXPECT_EQ(app::read_window_state(file), state);
     std::filesystem::remove(file);

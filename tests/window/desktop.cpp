@@ -10,6 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <cstring>
@@ -317,6 +318,73 @@ void Desktop::drag(WindowId window, ivec2 from, ivec2 to, int number)
     }
     std::this_thread::sleep_for(100ms);
     button(number, false);
+}
+
+namespace {
+
+/// One message of the XDND protocol from `source` to `target`.
+void send_xdnd(Display* display, const char* name, Window source, Window target, const std::array<long, 4>& data)
+{
+    XEvent event{};
+    event.xclient.type = ClientMessage;
+    event.xclient.window = target;
+    event.xclient.message_type = XInternAtom(display, name, False);
+    event.xclient.format = 32;
+    event.xclient.data.l[0] = static_cast<long>(source);
+    std::copy(data.begin(), data.end(), event.xclient.data.l + 1);
+    XSendEvent(display, target, False, NoEventMask, &event);
+    XSync(display, False);
+}
+
+/// Gives what is dropped to who asks for it.
+void answer(Display* display, const XSelectionRequestEvent& request, const std::string& text)
+{
+    XChangeProperty(display, request.requestor, request.property, request.target, 8, PropModeReplace,
+                    reinterpret_cast<const unsigned char*>(text.data()), static_cast<int>(text.size()));
+    XEvent event{};
+    event.xselection.type = SelectionNotify;
+    event.xselection.requestor = request.requestor;
+    event.xselection.selection = request.selection;
+    event.xselection.target = request.target;
+    event.xselection.property = request.property;
+    event.xselection.time = request.time;
+    XSendEvent(display, request.requestor, False, NoEventMask, &event);
+    XSync(display, False);
+}
+
+} // namespace
+
+bool Desktop::drop(WindowId window, const std::filesystem::path& file)
+{
+    const auto atom = [&](const char* name) { return XInternAtom(display_, name, False); };
+    const ivec2 middle = size_of(window) / 2;
+    ivec2 at;
+    Window child = 0;
+    XTranslateCoordinates(display_, window, DefaultRootWindow(display_), middle.x, middle.y, &at.x, &at.y, &child);
+    const Window source = XCreateSimpleWindow(display_, DefaultRootWindow(display_), 0, 0, 1, 1, 0, 0, 0);
+    XSetSelectionOwner(display_, atom("XdndSelection"), source, CurrentTime);
+    constexpr long version = 5;
+    send_xdnd(display_, "XdndEnter", source, window, {version << 24, static_cast<long>(atom("text/uri-list")), 0, 0});
+    send_xdnd(display_, "XdndPosition", source, window,
+              {0, static_cast<long>(at.x) << 16 | at.y, CurrentTime, static_cast<long>(atom("XdndActionCopy"))});
+    bool taken = false;
+    await(
+        [&] {
+            XEvent event;
+            while (!taken && XPending(display_) > 0) {
+                XNextEvent(display_, &event);
+                const bool message = event.type == ClientMessage;
+                if (message && event.xclient.message_type == atom("XdndStatus"))
+                    send_xdnd(display_, "XdndDrop", source, window, {0, CurrentTime, 0, 0});
+                if (event.type == SelectionRequest)
+                    answer(display_, event.xselectionrequest, "file://" + file.string() + "\r\n");
+                taken = message && event.xclient.message_type == atom("XdndFinished");
+            }
+            return taken;
+        },
+        10s);
+    XDestroyWindow(display_, source);
+    return taken;
 }
 
 double mean_difference(const Image8& a, const Image8& b)

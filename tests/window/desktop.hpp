@@ -68,6 +68,9 @@ public:
     void click(WindowId window, ivec2 at, int number = 1);
     void drag(WindowId window, ivec2 from, ivec2 to, int number = 1);
 
+    /// Drops a file on the window's middle, as a file manager does (XDND). Returns whether the window took it.
+    bool drop(WindowId window, const std::filesystem::path& file);
+
 private:
     std::string name_;
     std::optional<Process> server_, manager_;

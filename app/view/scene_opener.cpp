@@ -1,0 +1,92 @@
+#include "app/view/scene_opener.hpp"
+
+#include "renderer/core/error.hpp"
+
+#include <fmt/format.h>
+
+#include <system_error>
+
+namespace atrium::app {
+
+SceneOpener::SceneOpener(Engine& engine, const SceneOptions& options, const FrameOptions& frame, SceneInput scene)
+    : engine_(engine), options_(options), scene_(std::move(scene))
+{
+    frame_.size = frame.size;
+    frame_.fov = frame.fov;
+    frame_.set = frame.set;
+    frame_.preset = frame.preset;
+    frame_.config = frame.config;
+}
+
+void SceneOpener::open(const std::filesystem::path& file)
+{
+    cancel();
+    std::error_code unknown; // is told when it is read
+    if (std::filesystem::is_directory(file, unknown)) {
+        throw Error(ExitCode::input, "a folder is not a scene", file.string(), "one file is opened at a time",
+                    "give a bake (.atrium), a scene file (.toml) or an OBJ in it");
+    }
+    Opening& opening = opening_.emplace();
+    opening.file = file;
+    looks_ = 0;
+    try {
+        if (is_obj(file)) opening.bake.emplace(file, options_.bake_scale, options_.bake_up, ObjBake::Output::kept);
+    } catch (...) {
+        cancel();
+        throw;
+    }
+}
+
+std::string SceneOpener::progress() const
+{
+    if (!opening_) return "";
+    const std::string name = opening_->file.filename().string();
+    if (!opening_->bake) return fmt::format("Opening {}", name);
+    const std::string said = opening_->bake->progress();
+    return fmt::format("Baking {}\n{}", name, said.empty() ? "reading the OBJ" : said);
+}
+
+bool SceneOpener::ready()
+{
+    constexpr int looks_of_a_note = 3; // its window is laid out in one frame and seen in the next
+    std::optional<ObjBake>& bake = opening_->bake;
+    if (bake && !bake->done()) return false;
+    bake.reset();
+    return ++looks_ > looks_of_a_note;
+}
+
+std::optional<SceneStart> SceneOpener::update()
+{
+    if (!opening_) return std::nullopt;
+    try {
+        if (!ready()) return std::nullopt;
+        SceneStart start = load(opening_->file);
+        cancel();
+        return start;
+    } catch (...) {
+        cancel();
+        throw;
+    }
+}
+
+SceneStart SceneOpener::load(const std::filesystem::path& file)
+{
+    SceneOptions options = options_;
+    options.scene = file;
+    SceneInput scene = read_scene_input(options, frame_);
+    scene.config.camera.reset();
+    scene.config.lights.reset();
+    const SettingChain chain(frame_, scene);
+    FrameRequest frame = make_request(frame_, scene, chain);
+    frame.settings = chain.apply(engine_.device().report().is_cpu);
+    try {
+        engine_.load(scene.description());
+    } catch (const Error&) { // such as one too large for the device
+        engine_.load(scene_.description());
+        throw;
+    }
+    scene_ = std::move(scene);
+    return {scene_path(file), std::move(frame), scene_.file};
+}
+
+} // namespace atrium::app
