@@ -41,7 +41,7 @@ constexpr std::array actions{
     ActionInfo{Action::help, "help", {GLFW_KEY_H, 0}, "this list"},
     ActionInfo{Action::shaders, "shaders", {GLFW_KEY_F5, 0}, "compile the shaders again"},
     ActionInfo{Action::full_screen, "full_screen", {GLFW_KEY_F11, 0}, "full screen"},
-    ActionInfo{Action::screenshot, "screenshot", {GLFW_KEY_F12, 0}, "write a screenshot, without panels"},
+    ActionInfo{Action::screenshot, "screenshot", {GLFW_KEY_F12, 0}, "write a screenshot as PNG and EXR, without panels"},
     ActionInfo{Action::undo, "undo", {GLFW_KEY_Z, GLFW_MOD_CONTROL}, "undo"},
     ActionInfo{Action::redo, "redo", {GLFW_KEY_Y, GLFW_MOD_CONTROL}, "redo"},
 };

@@ -22,6 +22,7 @@ std::string write_comparison(Engine& engine, FrameRequest frame)
 {
     constexpr const char *as_it_is = ".filtered.png", *reference = ".reference.png", *difference = ".difference.png";
     constexpr int factor = 4;
+    frame.want_picture = true;
     const std::string name = unused_name({as_it_is, reference, difference});
     const auto draw = [&](const char* ending) {
         Image8 picture = engine.render(frame).picture;

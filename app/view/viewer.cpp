@@ -7,6 +7,7 @@
 #include "app/gui/split_view.hpp"
 #include "app/view/comparison.hpp"
 #include "app/view/numbered_file.hpp"
+#include "app/view/screenshot.hpp"
 #include "renderer/core/atomic_file.hpp"
 #include "renderer/core/error.hpp"
 #include "renderer/core/log.hpp"
@@ -252,10 +253,10 @@ void Viewer::act(Action action, uvec2 pixels)
         reload_.compile_all();
         break;
     case Action::screenshot:
-        write_screenshot(pixels);
+        write_pictures(write_screenshot, pixels);
         break;
     case Action::compare:
-        write_comparison(pixels);
+        write_pictures(write_comparison, pixels);
         break;
     case Action::open:
         open_dialog_.show();
@@ -375,29 +376,16 @@ std::string Viewer::state_text(const Settings& settings, uvec2 pixels) const
 FrameRequest Viewer::wanted_picture(uvec2 size) const
 {
     FrameRequest wanted = wanted_frame(model_.settings, size);
-    wanted.want_picture = true;
     wanted.keep_picture.reset();
     wanted.remember = wanted.keep_buffers = false;
     wanted.insets = {};
     return wanted;
 }
 
-void Viewer::write_screenshot(uvec2 pixels)
-{
-    const FrameRequest wanted = wanted_picture(pixels);
-    const std::string file = unused_name({".png"}) + ".png";
-    try {
-        write_png(file, engine_.render(wanted).picture, describe_frame(wanted, 0));
-        panels_.message = fmt::format("{} written; --config {} draws it again", file, file);
-    } catch (const Error& error) {
-        panels_.message = error.text();
-    }
-}
-
-void Viewer::write_comparison(uvec2 pixels)
+void Viewer::write_pictures(std::string (*write)(Engine&, FrameRequest), uvec2 pixels)
 {
     try {
-        panels_.message = app::write_comparison(engine_, wanted_picture(pixels));
+        panels_.message = write(engine_, wanted_picture(pixels));
     } catch (const Error& error) {
         panels_.message = error.text();
     }

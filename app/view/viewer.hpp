@@ -84,9 +84,8 @@ private:
     void look_through_light();
     void draw_interface(uvec2 pixels);
     void draw_notices();
-    /// What the model says, drawn as `render` draws it, into the present folder, with its description.
-    void write_screenshot(uvec2 pixels);
-    void write_comparison(uvec2 pixels);
+    /// Lets `write` draw what the model says, as `render` draws it, into files that it names in its answer.
+    void write_pictures(std::string (*write)(Engine&, FrameRequest), uvec2 pixels);
     void write_costs(gui::CostFile kind);
     /// The buffers to show beside the picture, in a window of so many pixels; none while the interface is hidden.
     [[nodiscard]] Insets wanted_insets(uvec2 pixels) const;

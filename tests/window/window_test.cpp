@@ -215,16 +215,18 @@ TEST_F(Viewed, l_looks_through_the_selected_light_and_back)
 TEST_F(Viewed, a_screenshot_is_drawn_again_to_the_byte)
 {
     const Image8 start = scene();
-    for (const char* name : {"atrium.0000.png", "atrium.0001.png"}) { // of the picture, and of a buffer in its place
-        const fs::path shot = folder / name, again = folder / "again.png";
+    for (const char* name : {"atrium.0000", "atrium.0001"}) { // of the picture, and of a buffer in its place
         desktop->tap("F12");
-        for (int i = 0; i < 100 && !fs::exists(shot); ++i) std::this_thread::sleep_for(100ms);
-        ASSERT_TRUE(fs::exists(shot)); // which appears whole
-        const std::string command = std::string(ATRIUM_BIN) + "/atrium render " +
-                                    (folder / "courtyard" / "courtyard.toml").string() + " --config " + shot.string() +
-                                    " -o " + again.string() + " --quiet";
-        ASSERT_EQ(std::system(command.c_str()), 0);
-        EXPECT_TRUE(bytes_of(shot) == bytes_of(again)) << name;
+        const auto shot = [&](const char* ending) { return folder / (std::string(name) + ending); };
+        for (int i = 0; i < 100 && !fs::exists(shot(".png")); ++i) std::this_thread::sleep_for(100ms); // the last
+        for (const char* ending : {".png", ".exr"}) {
+            const fs::path again = folder / (std::string("again") + ending);
+            const std::string command = std::string(ATRIUM_BIN) + "/atrium render " +
+                                        (folder / "courtyard" / "courtyard.toml").string() + " --config " +
+                                        shot(ending).string() + " -o " + again.string() + " --quiet";
+            ASSERT_EQ(std::system(command.c_str()), 0);
+            EXPECT_TRUE(bytes_of(shot(ending)) == bytes_of(again)) << name << ending;
+        }
         desktop->tap("period");
         ASSERT_TRUE(settle());
     }
