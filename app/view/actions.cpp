@@ -2,11 +2,8 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <charconv>
 
 namespace atrium::app {
 namespace {
@@ -22,11 +19,6 @@ constexpr std::array actions{
     ActionInfo{Action::turn_right, "turn_right", {GLFW_KEY_RIGHT, 0}, "turn right"},
     ActionInfo{Action::turn_up, "turn_up", {GLFW_KEY_UP, 0}, "turn up"},
     ActionInfo{Action::turn_down, "turn_down", {GLFW_KEY_DOWN, 0}, "turn down"},
-    ActionInfo{Action::soft_shadows, "soft_shadows", {GLFW_KEY_P, 0}, "soft shadows on and off"},
-    ActionInfo{Action::softer, "softer", {GLFW_KEY_PAGE_UP, 0}, "softer shadows"},
-    ActionInfo{Action::harder, "harder", {GLFW_KEY_PAGE_DOWN, 0}, "harder shadows"},
-    ActionInfo{Action::ao_method, "ao_method", {GLFW_KEY_O, 0}, "next method of ambient occlusion"},
-    ActionInfo{Action::normal_mapping, "normal_mapping", {GLFW_KEY_N, 0}, "normal mapping on and off"},
     ActionInfo{
         Action::previous_buffer, "previous_buffer", {GLFW_KEY_COMMA, 0}, "previous buffer in place of the picture"},
     ActionInfo{Action::next_buffer, "next_buffer", {GLFW_KEY_PERIOD, 0}, "next buffer; after the last, the picture"},
@@ -41,7 +33,8 @@ constexpr std::array actions{
     ActionInfo{Action::help, "help", {GLFW_KEY_H, 0}, "this list"},
     ActionInfo{Action::shaders, "shaders", {GLFW_KEY_F5, 0}, "compile the shaders again"},
     ActionInfo{Action::full_screen, "full_screen", {GLFW_KEY_F11, 0}, "full screen"},
-    ActionInfo{Action::screenshot, "screenshot", {GLFW_KEY_F12, 0}, "write a screenshot as PNG and EXR, without panels"},
+    ActionInfo{
+        Action::screenshot, "screenshot", {GLFW_KEY_F12, 0}, "write a screenshot as PNG and EXR, without panels"},
     ActionInfo{Action::undo, "undo", {GLFW_KEY_Z, GLFW_MOD_CONTROL}, "undo"},
     ActionInfo{Action::redo, "redo", {GLFW_KEY_Y, GLFW_MOD_CONTROL}, "redo"},
 };
@@ -51,41 +44,6 @@ constexpr std::array actions{
 std::span<const ActionInfo> all_actions()
 {
     return actions;
-}
-
-void step_setting(const SettingList& list, Action action)
-{
-    const auto set = [&](const char* key, const std::string& text) {
-        if (const Setting* setting = list.find(key)) static_cast<void>(setting->set_text(text));
-    };
-    const auto scaled = [&](const char* key, float factor) {
-        float value = 0;
-        const std::string text = list.find(key)->get();
-        std::from_chars(text.data(), text.data() + text.size(), value);
-        set(key, fmt::format("{}", std::clamp(value * factor, 0.1f, 10.0f)));
-    };
-    const auto next = [&](const char* key) {
-        const Setting& s = *list.find(key);
-        const auto at = std::find(s.values.begin(), s.values.end(), s.get());
-        set(key, at + 1 == s.values.end() ? s.values.front() : *(at + 1));
-    };
-    const auto flip = [&](const char* key, const char* on, const char* off) {
-        set(key, list.find(key)->get() == on ? off : on);
-    };
-    switch (action) {
-    case Action::soft_shadows:
-        return flip("shadow.filter", "pcss", "hard");
-    case Action::softer:
-        return scaled("shadow.softness", 1.1f);
-    case Action::harder:
-        return scaled("shadow.softness", 1 / 1.1f);
-    case Action::ao_method:
-        return next("ao.method");
-    case Action::normal_mapping:
-        return flip("normal_mapping", "on", "off");
-    default:
-        return;
-    }
 }
 
 } // namespace atrium::app

@@ -1,8 +1,7 @@
 #pragma once
-// What keys can do.
+// What keys can do, beside changing settings.
 
 #include "app/view/window.hpp"
-#include "renderer/core/setting.hpp"
 
 #include <span>
 
@@ -22,11 +21,6 @@ enum class Action : std::uint8_t {
     turn_up,
     turn_down,
     // Once, when it goes down.
-    soft_shadows,
-    softer,
-    harder,
-    ao_method,
-    normal_mapping,
     previous_buffer,
     next_buffer,
     frame,
@@ -56,8 +50,5 @@ struct ActionInfo {
 
 /// All but `none`, in the order of the help.
 [[nodiscard]] std::span<const ActionInfo> all_actions();
-
-/// Does to settings what the action says: to the next value, on and off, or up and down by a tenth.
-void step_setting(const SettingList& list, Action action);
 
 } // namespace atrium::app

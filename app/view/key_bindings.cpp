@@ -3,6 +3,7 @@
 #include "app/view/key_names.hpp"
 #include "renderer/core/nearest_name.hpp"
 #include "renderer/scene/toml_reader.hpp"
+#include "renderer/settings.hpp"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <stdexcept>
 
 namespace atrium::app {
 namespace {
@@ -17,23 +19,11 @@ namespace {
 /// Shift does not count: it makes flying faster.
 constexpr int counted_mods = GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER;
 
-std::size_t find_action(const std::string& name, const std::string& where)
-{
-    std::vector<std::string> names;
-    for (const ActionInfo& info : all_actions()) {
-        if (info.name == name) return names.size();
-        names.emplace_back(info.name);
-    }
-    throw Error(ExitCode::input, fmt::format("no action is called \"{}\"", name), where,
-                fmt::format("did you mean \"{}\"?", nearest_name(name, names)),
-                "in the help (H), the mouse shows the name of each");
-}
-
-KeyPress find_key(const ActionInfo& info, const toml::node& value, const std::string& where)
+KeyPress read_key(const std::string& name, bool held, const toml::node& value, const std::string& where)
 {
     const auto text = value.value_exact<std::string>();
     if (!text) {
-        throw Error(ExitCode::input, fmt::format("bad key of \"{}\"", info.name), where,
+        throw Error(ExitCode::input, fmt::format("bad key of \"{}\"", name), where,
                     fmt::format("expected a string, found {}", kind_of(value)), "give the name of a key");
     }
     const auto key = parse_key(*text);
@@ -43,32 +33,62 @@ KeyPress find_key(const ActionInfo& info, const toml::node& value, const std::st
                     fmt::format("did you mean \"{}\"?", nearest_name(bare, key_names())),
                     "keys are named as in the help (H)");
     }
-    if (is_held(info.action) && key->mods != 0) {
-        throw Error(ExitCode::input, fmt::format("\"{}\" cannot be the key of \"{}\"", *text, info.name), where,
+    if (held && key->mods != 0) {
+        throw Error(ExitCode::input, fmt::format("\"{}\" cannot be the key of \"{}\"", *text, name), where,
                     "it acts as long as its key is held, and Ctrl is for the mouse then",
                     "give a key without Ctrl or Alt");
     }
     return *key;
 }
 
+SettingList all_settings()
+{
+    Settings settings;
+    SettingList list;
+    describe(list, settings);
+    return list; // of which names and keys are read alone
+}
+
 } // namespace
 
-KeyBindings::KeyBindings()
+KeyBindings::KeyBindings() : KeyBindings(all_settings()) {}
+
+KeyBindings::KeyBindings(const SettingList& settings)
 {
+    for (const ActionInfo& info : all_actions()) all_.push_back({info.name, info.help, info.key, {}, info.action, {}});
+    for (const gui::SettingStep& step : gui::setting_steps(settings)) {
+        const auto key = parse_key(step.key);
+        if (!key && !step.key.empty())
+            throw std::logic_error(fmt::format("the description of {} names no key: {}", step.setting, step.key));
+        all_.push_back({step.name, step.help, key.value_or(KeyPress{}), {}, Action::none, step});
+    }
     bind({});
 }
 
 void KeyBindings::bind(const std::vector<Line>& lines)
 {
-    keys_.clear();
-    for (const ActionInfo& info : all_actions()) keys_.push_back(info.key);
-    for (const Line& line : lines) keys_[line.action] = line.key;
+    for (Bindable& b : all_) b.key = b.by_default;
+    for (const Line& line : lines) all_[line.index].key = line.key;
 }
 
-std::optional<std::size_t> KeyBindings::other_on_same_key(std::size_t action) const
+std::size_t KeyBindings::find(const std::string& name, const std::string& where) const
 {
-    for (std::size_t i = 0; i < keys_.size(); ++i) {
-        if (i != action && keys_[i] == keys_[action]) return i;
+    std::vector<std::string> names;
+    for (const Bindable& b : all_) {
+        if (b.name == name) return names.size();
+        names.push_back(b.name);
+    }
+    throw Error(ExitCode::input, fmt::format("no action is called \"{}\"", name), where,
+                fmt::format("did you mean \"{}\"?", nearest_name(name, names)),
+                "in the help (H), the mouse shows the name of each; settings are called as in \"atrium settings\", "
+                "numbers with .more or .less behind");
+}
+
+std::optional<std::size_t> KeyBindings::other_on_same_key(std::size_t index) const
+{
+    if (all_[index].key == KeyPress{}) return std::nullopt;
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+        if (i != index && all_[i].key == all_[index].key) return i;
     }
     return std::nullopt;
 }
@@ -83,11 +103,12 @@ std::vector<Error> KeyBindings::read(const std::filesystem::path& file)
     } catch (const Error& error) {
         return {error};
     }
-    for (const TomlEntry& entry : in_file_order(table)) {
+    for (const TomlEntry& entry : dotted_entries(table)) {
         const std::string where = where_in(file, entry.source);
         try {
-            const std::size_t action = find_action(entry.key, where);
-            lines.push_back({action, find_key(all_actions()[action], *entry.node, where), where});
+            const std::size_t index = find(entry.key, where);
+            const Bindable& b = all_[index];
+            lines.push_back({index, read_key(b.name, is_held(b.action), *entry.node, where), where});
         } catch (const Error& error) {
             errors.push_back(error);
         }
@@ -97,31 +118,39 @@ std::vector<Error> KeyBindings::read(const std::filesystem::path& file)
     for (;;) {
         bind(lines);
         const auto line = std::find_if(lines.rbegin(), lines.rend(),
-                                       [&](const Line& l) { return other_on_same_key(l.action).has_value(); });
+                                       [&](const Line& l) { return other_on_same_key(l.index).has_value(); });
         if (line == lines.rend()) return errors;
-        errors.emplace_back(ExitCode::input, fmt::format("two actions are on the key \"{}\"", name_of(line->key)),
-                            line->where,
-                            fmt::format("\"{}\" and \"{}\"", all_actions()[line->action].name,
-                                        all_actions()[*other_on_same_key(line->action)].name),
-                            "give each a key of its own");
+        errors.emplace_back(
+            ExitCode::input, fmt::format("two actions are on the key \"{}\"", name_of(line->key)), line->where,
+            fmt::format("\"{}\" and \"{}\"", all_[line->index].name, all_[*other_on_same_key(line->index)].name),
+            "give each a key of its own");
         lines.erase(std::next(line).base());
     }
 }
 
+const KeyBindings::Bindable* KeyBindings::bound_to(const KeyPress& press) const
+{
+    const KeyPress counted{press.key, press.mods & counted_mods};
+    const auto found = std::find_if(all_.begin(), all_.end(),
+                                    [&](const Bindable& b) { return b.key == counted && b.key != KeyPress{}; });
+    return found == all_.end() ? nullptr : &*found;
+}
+
 Action KeyBindings::action_of(const KeyPress& press) const
 {
-    const auto found = std::find(keys_.begin(), keys_.end(), KeyPress{press.key, press.mods & counted_mods});
-    if (found == keys_.end()) return Action::none;
-    const Action action = all_actions()[static_cast<std::size_t>(found - keys_.begin())].action;
-    return is_held(action) ? Action::none : action;
+    const Bindable* found = bound_to(press);
+    return found == nullptr || is_held(found->action) ? Action::none : found->action;
+}
+
+const gui::SettingStep* KeyBindings::step_of(const KeyPress& press) const
+{
+    const Bindable* found = bound_to(press);
+    return found == nullptr || found->action != Action::none ? nullptr : &found->step;
 }
 
 KeyPress KeyBindings::key_of(Action action) const
 {
-    const auto actions = all_actions();
-    const auto found =
-        std::find_if(actions.begin(), actions.end(), [&](const ActionInfo& info) { return info.action == action; });
-    return keys_.at(static_cast<std::size_t>(found - actions.begin()));
+    return std::find_if(all_.begin(), all_.end(), [&](const Bindable& b) { return b.action == action; })->key;
 }
 
 std::vector<gui::KeyHelp> KeyBindings::help() const
@@ -132,8 +161,9 @@ std::vector<gui::KeyHelp> KeyBindings::help() const
         {"Shift", "faster", ""},
         {"Ctrl+drag", "move the selected light (Shift: along the view)", ""},
     };
-    for (std::size_t i = 0; i < keys_.size(); ++i)
-        out.push_back({name_of(keys_[i]), all_actions()[i].help, all_actions()[i].name});
+    for (const Bindable& b : all_) {
+        if (b.key != KeyPress{}) out.push_back({name_of(b.key), b.help, b.name});
+    }
     return out;
 }
 

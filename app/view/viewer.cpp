@@ -232,7 +232,12 @@ bool Viewer::unfinished() const
 void Viewer::handle_keys(uvec2 pixels)
 {
     for (const KeyPress& press : window_.take_presses()) {
-        if (!ImGui::GetIO().WantTextInput) act(keys_.action_of(press), pixels);
+        if (ImGui::GetIO().WantTextInput) continue;
+        if (const gui::SettingStep* step = keys_.step_of(press)) {
+            gui::take_step(model_.list, *step);
+            model_.checkpoint();
+        }
+        act(keys_.action_of(press), pixels);
     }
 }
 
@@ -279,14 +284,6 @@ void Viewer::act(Action action, uvec2 pixels)
         break;
     case Action::next_buffer:
         model_.step_buffer(1);
-        model_.checkpoint();
-        break;
-    case Action::soft_shadows:
-    case Action::ao_method:
-    case Action::normal_mapping:
-    case Action::softer:
-    case Action::harder:
-        step_setting(model_.list, action);
         model_.checkpoint();
         break;
     default:

@@ -10,9 +10,9 @@
 //         v("samples", s.samples, "Depth samples", Range{4, 512}, "per pixel", Cpu{8});
 //     }
 //
-// After the help come, in any order and all optional: a Range (each component's, for a vec3), a unit, and a CPU
-// device's default where it differs. Fields are bool, int, float, std::string, vec3, or an enum whose values count from
-// 0 and whose names `constexpr auto enum_names(E)` beside it gives as an array of const char* in that order.
+// After the help come, in any order and all optional: a Range (each component's, for a vec3), a unit, a CPU device's
+// default where it differs, and Keys. Fields are bool, int, float, std::string, vec3, or an enum whose values count
+// from 0 and whose names `constexpr auto enum_names(E)` beside it gives as an array of const char* in that order.
 
 #include "renderer/core/error.hpp"
 #include "renderer/core/math.hpp"
@@ -40,6 +40,15 @@ struct Cpu {
 template <class T>
 Cpu(T) -> Cpu<T>;
 
+/// Keys that change it in the window, as docs/window.md names keys; empty: none, unless the user gives one. `more`
+/// turns a switch on and off, a choice to its next value or from `first` to `second` and back, and makes a number
+/// greater; `less` makes a number less.
+struct Keys {
+    const char* more = "";
+    const char* less = "";
+    const char *first = "", *second = "";
+};
+
 /// An enum of any type, by index.
 struct EnumField {
     void* value = nullptr;
@@ -53,6 +62,7 @@ struct Setting {
     std::optional<Range> range;
     std::vector<std::string> values; ///< of an enum; of text, those that offer() said
     std::string default_text, cpu_default;
+    Keys keys;
     std::variant<bool*, int*, float*, std::string*, vec3*, EnumField> field;
 
     /// bool, int, float, string, vec3 or enum.
@@ -116,6 +126,11 @@ private:
     static void extend(Setting& setting, std::string_view unit)
     {
         setting.unit = unit;
+    }
+    template <class T>
+    static void extend(Setting& setting, const Keys& keys)
+    {
+        setting.keys = keys;
     }
     template <class T, class C>
     static void extend(Setting& setting, const Cpu<C>& cpu);

@@ -51,6 +51,11 @@ std::string allowed(const Setting& s)
     return std::holds_alternative<bool*>(s.field) ? "on, off" : "";
 }
 
+std::string keys_text(const Keys& keys)
+{
+    return *keys.less ? fmt::format("{}, {}", keys.more, keys.less) : keys.more;
+}
+
 /// A cell must not end the table's row or column.
 std::string cell(std::string_view text)
 {
@@ -111,14 +116,15 @@ std::string SettingList::to_markdown() const
     const std::string* title = nullptr;
     for (const Setting& s : settings_) {
         if (title == nullptr || *title != s.group_title) {
-            out += fmt::format("{}## {}\n\n| key | type | default | on a CPU | allowed | unit | meaning |\n"
-                               "|---|---|---|---|---|---|---|\n",
-                               out.empty() ? "" : "\n", s.group_title);
+            out += fmt::format(
+                "{}## {}\n\n| key | type | default | on a CPU | allowed | unit | meaning | in the window |\n"
+                "|---|---|---|---|---|---|---|---|\n",
+                out.empty() ? "" : "\n", s.group_title);
         }
         title = &s.group_title;
         const std::string cpu = s.cpu_default == s.default_text ? "" : fmt::format("`{}`", s.cpu_default);
-        out += fmt::format("| `{}` | {} | `{}` | {} | {} | {} | {} |\n", s.key, s.type(), cell(s.default_text),
-                           cell(cpu), cell(allowed(s)), cell(s.unit), cell(s.help));
+        out += fmt::format("| `{}` | {} | `{}` | {} | {} | {} | {} | {} |\n", s.key, s.type(), cell(s.default_text),
+                           cell(cpu), cell(allowed(s)), cell(s.unit), cell(s.help), cell(keys_text(s.keys)));
     }
     return out;
 }

@@ -42,24 +42,21 @@ std::optional<std::string> as_set_text(const toml::node& node)
     return text;
 }
 
-void flatten(const fs::path& file, const toml::table& table, const std::string& prefix, int depth,
-             std::vector<SettingText>& out)
+std::vector<SettingText> read_settings(const fs::path& file, const toml::table& table)
 {
-    constexpr int deepest = 4; // no key has as many parts
-    for (const TomlEntry& entry : in_file_order(table)) {
-        const std::string key = prefix + entry.key;
+    std::vector<SettingText> out;
+    for (const TomlEntry& entry : dotted_entries(table)) {
         const std::string where = where_in(file, entry.source);
-        if (const toml::table* inner = entry.node->as_table(); inner != nullptr && depth < deepest) {
-            flatten(file, *inner, key + ".", depth + 1, out);
-        } else if (auto text = as_set_text(*entry.node)) {
-            out.push_back({key, std::move(*text), where});
-        } else {
-            throw Error(ExitCode::input, fmt::format("bad value of the setting \"{}\"", key), where,
+        auto text = as_set_text(*entry.node);
+        if (!text) {
+            throw Error(ExitCode::input, fmt::format("bad value of the setting \"{}\"", entry.key), where,
                         fmt::format("expected a string, a number, a boolean or an array of three numbers, found {}",
                                     kind_of(*entry.node)),
                         "\"atrium settings\" lists all settings and their values");
         }
+        out.push_back({entry.key, std::move(*text), where});
     }
+    return out;
 }
 
 // ---- the other tables
@@ -202,8 +199,7 @@ void for_each_named(const TomlReader& root, const char* key, F&& read)
 /// All of a settings file: keys stand alone or below [settings].
 std::vector<SettingText> settings_of(const toml::table& table, const fs::path& file)
 {
-    std::vector<SettingText> settings;
-    flatten(file, table, "", 0, settings);
+    std::vector<SettingText> settings = read_settings(file, table);
     for (SettingText& setting : settings) {
         constexpr std::string_view prefix = "settings.";
         if (setting.key.starts_with(prefix)) setting.key.erase(0, prefix.size());
@@ -225,7 +221,7 @@ SceneFile read_scene_file(const fs::path& file)
     } else {
         root.fail("bake", "it is empty", "name the baked scene, relative to this file");
     }
-    if (const toml::table* settings = root.subtable("settings")) flatten(file, *settings, "", 0, scene.settings);
+    if (const toml::table* settings = root.subtable("settings")) scene.settings = read_settings(file, *settings);
     for_each_named(root, "camera", [&](const std::string& name, const toml::table& camera) {
         const TomlReader in(file, camera, fmt::format("camera \"{}\"", name), {"eye", "target", "fov"});
         scene.cameras.emplace_back(name, read_camera(in));
@@ -251,7 +247,7 @@ FrameConfig parse_frame_config(std::string_view text, const fs::path& file)
     const TomlReader root(file, table, "the description of a frame",
                           {"width", "height", "time", "lights", "camera", "settings"});
     FrameConfig config;
-    if (const toml::table* settings = root.subtable("settings")) flatten(file, *settings, "", 0, config.settings);
+    if (const toml::table* settings = root.subtable("settings")) config.settings = read_settings(file, *settings);
     if (const toml::table* camera = root.subtable("camera")) {
         config.camera = read_camera(TomlReader(file, *camera, "the camera", {"eye", "target", "fov"}));
     }

@@ -84,6 +84,18 @@ bool within(double value, Range range)
     return value >= static_cast<double>(range.min) && value <= static_cast<double>(range.max);
 }
 
+void add_dotted_entries(const toml::table& table, const std::string& prefix, int depth, std::vector<TomlEntry>& out)
+{
+    constexpr int deepest = 4; // no key has as many parts
+    for (TomlEntry& entry : in_file_order(table)) {
+        entry.key = prefix + entry.key;
+        if (const toml::table* inner = entry.node->as_table(); inner != nullptr && depth < deepest)
+            add_dotted_entries(*inner, entry.key + ".", depth + 1, out);
+        else
+            out.push_back(std::move(entry));
+    }
+}
+
 } // namespace
 
 toml::table parse_toml(const std::filesystem::path& file)
@@ -145,6 +157,13 @@ std::vector<TomlEntry> in_file_order(const toml::table& table)
     std::stable_sort(entries.begin(), entries.end(),
                      [](const TomlEntry& a, const TomlEntry& b) { return a.source.begin < b.source.begin; });
     return entries;
+}
+
+std::vector<TomlEntry> dotted_entries(const toml::table& table)
+{
+    std::vector<TomlEntry> out;
+    add_dotted_entries(table, "", 0, out);
+    return out;
 }
 
 TomlReader::TomlReader(const std::filesystem::path& file, const toml::table& table, std::string what,

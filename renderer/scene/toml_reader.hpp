@@ -32,6 +32,8 @@ struct TomlEntry {
 };
 /// A table's entries in the order of the file (toml++ sorts them by name).
 [[nodiscard]] std::vector<TomlEntry> in_file_order(const toml::table& table);
+/// The same with the entries of tables in it, whose keys have dots, in place of the tables.
+[[nodiscard]] std::vector<TomlEntry> dotted_entries(const toml::table& table);
 
 /// One table of which every key is known.
 class TomlReader {

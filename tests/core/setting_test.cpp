@@ -182,7 +182,7 @@ TEST_F(setting_list, markdown_has_a_table_per_group)
 {
     const std::string text = list.to_markdown();
     EXPECT_NE(text.find("## Ambient occlusion\n\n| key |"), std::string::npos);
-    EXPECT_NE(text.find("| `ao.samples` | int | `18` | `8` | 4 to 512 | per pixel | Depth samples |\n"),
+    EXPECT_NE(text.find("| `ao.samples` | int | `18` | `8` | 4 to 512 | per pixel | Depth samples |  |\n"),
               std::string::npos);
     EXPECT_NE(text.find("Light from above \\| linear"), std::string::npos);
 }

@@ -23,6 +23,11 @@ struct Bound {
         std::filesystem::remove(file);
     }
     [[nodiscard]] Action on(const char* key) const { return keys.action_of(*parse_key(key)); }
+    [[nodiscard]] std::string step_on(const char* key) const
+    {
+        const gui::SettingStep* step = keys.step_of(*parse_key(key));
+        return step == nullptr ? "" : step->name;
+    }
     [[nodiscard]] std::string where(int line) const { return file.string() + ":" + std::to_string(line); }
     std::filesystem::path file;
     KeyBindings keys;
@@ -49,20 +54,26 @@ TEST(key_bindings, defaults_have_a_key_each_and_the_help_lists_them)
     const KeyBindings keys;
     std::set<std::string> seen;
     for (const ActionInfo& info : all_actions()) {
+        EXPECT_EQ(keys.step_of(info.key), nullptr);
         EXPECT_TRUE(seen.insert(name_of(keys.key_of(info.action))).second) << info.name;
         EXPECT_EQ(keys.action_of(info.key), is_held(info.action) ? Action::none : info.action) << info.name;
     }
     std::size_t named = 0;
-    for (const gui::KeyHelp& line : keys.help()) named += line.name.empty() ? 0 : 1;
-    EXPECT_EQ(named, all_actions().size());
+    for (const gui::KeyHelp& line : keys.help()) {
+        named += line.name.empty() ? 0 : 1;
+        EXPECT_TRUE(line.name.empty() || seen.insert(line.keys).second ||
+                    keys.step_of(*parse_key(line.keys)) == nullptr)
+            << line.keys << " has two acts";
+    }
+    EXPECT_EQ(named, all_actions().size() + 5); // of settings: P, Page up, Page down, O, N
 }
 
 TEST(key_bindings, a_file_changes_them)
 {
-    const Bound bound("ao_method = 'P'\nsoft_shadows = 'o'\nundo = 'Alt+Backspace'\nforward = 'Up'\nturn_up = 'W'\n");
+    const Bound bound("ao.method = 'P'\nshadow.filter = 'o'\nundo = 'Alt+Backspace'\nforward = 'Up'\nturn_up = 'W'\n");
     EXPECT_TRUE(bound.errors.empty());
-    EXPECT_EQ(bound.on("P"), Action::ao_method);
-    EXPECT_EQ(bound.on("O"), Action::soft_shadows);
+    EXPECT_EQ(bound.step_on("P"), "ao.method");
+    EXPECT_EQ(bound.step_on("O"), "shadow.filter");
     EXPECT_EQ(bound.on("Alt+Backspace"), Action::undo);
     EXPECT_EQ(bound.on("Ctrl+Z"), Action::none);
     EXPECT_EQ(bound.on("Ctrl+Y"), Action::redo);

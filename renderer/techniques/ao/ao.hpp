@@ -31,7 +31,7 @@ template <class V>
 void describe(V& v, AoSettings& s)
 {
     v.group("ao", "Ambient occlusion");
-    v("method", s.method, "How it is reckoned: points in a half ball (ssao) or horizons (gtao)");
+    v("method", s.method, "How it is reckoned: points in a half ball (ssao) or horizons (gtao)", Keys{"O"});
     v("radius", s.radius, "How far away things still darken", Range{0.01f, 50}, "m");
     v("samples", s.samples, "Depths read at each pixel", Range{2, 128}, "");
     v("falloff", s.falloff, "gtao: share of the radius over which things stop counting; 0: at once", Range{0, 1}, "");

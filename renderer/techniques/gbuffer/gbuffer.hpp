@@ -20,7 +20,7 @@ template <class V>
 void describe(V& v, MaterialSettings& s)
 {
     v.group("", "Materials");
-    v("normal_mapping", s.normal_mapping, "Bend normals by the materials' normal maps");
+    v("normal_mapping", s.normal_mapping, "Bend normals by the materials' normal maps", Keys{"N"});
     v("specular_mapping", s.specular_mapping, "Vary specular strength, roughness and metalness by the materials' maps");
 }
 

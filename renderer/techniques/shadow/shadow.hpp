@@ -45,7 +45,8 @@ void describe(V& v, ShadowSettings& s)
     v.group("shadow", "Shadows");
     v("filter", s.filter,
       "Off, one hard edge, a disc of one size (pcf), as wide as the light makes them (pcss), or the mean of hard "
-      "shadows from many points of the light");
+      "shadows from many points of the light",
+      Keys{"P", "", "pcss", "hard"});
     v("resolution", s.resolution, "Side of a light's map; of each cascade and each side of a cube", Range{64, 4096},
       "texels", Cpu{1024});
     v("samples", s.samples, "Comparisons at each pixel, pcf and pcss", Range{4, 64}, "", Cpu{24});
@@ -54,7 +55,8 @@ void describe(V& v, ShadowSettings& s)
     v("blur", s.blur,
       "pcss: where a penumbra is wide in the picture, do with two thirds of the comparisons and take the noise out "
       "with 4 x 4 pixels; where it is narrow, take more");
-    v("softness", s.softness, "pcss and reference: multiplies the size of every light", Range{0, 10}, "");
+    v("softness", s.softness, "pcss and reference: multiplies the size of every light", Range{0, 10}, "",
+      Keys{"Page up", "Page down"});
     v("radius", s.radius, "pcf: of the disc", Range{0, 64}, "texels");
     v("bias_normal", s.bias_normal, "Moves the shaded point off its surface", Range{0, 8}, "texels");
     v("bias_slope", s.bias_slope, "Moves it towards the light, by what its surface's slope rises in so many texels",
