@@ -17,17 +17,8 @@ protected:
         start(hero());
     }
     static fs::path court(const char* file) { return folder / "courtyard" / file; }
-    static std::string text_of(const fs::path& file)
-    {
-        std::ifstream in(file);
-        return {std::istreambuf_iterator<char>(in), {}};
-    }
     /// Whether the window names the file, once it is drawn.
     static bool shows(const std::string& file) { return desktop->find("Atrium: " + file, 60s) == window && settle(); }
-    static void type(const std::string& text)
-    {
-        for (const char c : text) desktop->tap(c == '.' ? "period" : c == '/' ? "slash" : std::string(1, c));
-    }
     /// Opens the courtyard's scene file where another is shown, and looks at it as in the beginning.
     static Image8 back_in_the_court()
     {
@@ -42,7 +33,7 @@ protected:
 
 TEST_F(OpenedScenes, a_damaged_memory_is_kept_and_told_of)
 {
-    EXPECT_EQ(text_of(folder / "atrium" / "window.toml.damaged"), damaged_state);
+    EXPECT_EQ(bytes_of(folder / "atrium" / "window.toml.damaged"), damaged_state);
     EXPECT_FALSE(fs::exists(folder / "atrium" / "window.toml"));
     EXPECT_TRUE(says("window.toml.damaged: mend it"));
 }
@@ -149,7 +140,7 @@ TEST_F(OpenedScenes, many_after_each_other_take_no_more_memory)
     EXPECT_LT(program->resident_bytes(), memory + (16u << 20)); // a fraction of what one scene takes
     desktop->close(window);
     EXPECT_EQ(program->wait(20s), std::optional(0)); // 5: validation had something to say
-    const std::string state = text_of(folder / "atrium" / "window.toml");
+    const std::string state = bytes_of(folder / "atrium" / "window.toml");
     const std::string scene_line = "scene = \"" + court("courtyard.toml").string() + "\"\n";
     EXPECT_NE(state.find("[[recent]]\n" + scene_line), std::string::npos);
     EXPECT_NE(state.find("[[bookmark]]\n" + scene_line + "name = \"b\""), std::string::npos);

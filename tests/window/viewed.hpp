@@ -31,6 +31,12 @@ inline Image8 scene_part(const Image8& whole)
     return out;
 }
 
+inline std::string bytes_of(const fs::path& file)
+{
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
 /// One program in one window for all of a suite's tests: it takes a while to start.
 class ViewedProgram : public ::testing::Test {
 protected:
@@ -97,7 +103,7 @@ protected:
         double used_before = program->cpu_seconds();
         int same = 0;
         while (std::chrono::steady_clock::now() < end) {
-            std::this_thread::sleep_for(250ms);
+            std::this_thread::sleep_for(150ms);
             Image8 now = desktop->grab(window);
             const double used = program->cpu_seconds();
             const bool rests = used - used_before < resting;
@@ -107,6 +113,16 @@ protected:
             used_before = used;
         }
         return false;
+    }
+    /// Small letters, digits, dots, slashes and underscores.
+    static void type(const std::string& text)
+    {
+        for (const char c : text) {
+            if (c == '_')
+                desktop->tap("minus", "Shift_L");
+            else
+                desktop->tap(c == '.' ? "period" : c == '/' ? "slash" : std::string(1, c));
+        }
     }
     /// Until the window shows that again.
     static bool comes_back_to(const Image8& before, std::chrono::seconds most = 20s)
@@ -118,11 +134,7 @@ protected:
         }
         return true;
     }
-    static std::string log()
-    {
-        std::ifstream in(folder / "log");
-        return {std::istreambuf_iterator<char>(in), {}};
-    }
+    static std::string log() { return bytes_of(folder / "log"); }
     /// Until the program has said the text so many times.
     static bool says(const std::string& text, int times = 1, std::chrono::seconds most = 30s)
     {

@@ -14,12 +14,6 @@
 namespace atrium::window {
 namespace {
 
-std::string bytes_of(const fs::path& file)
-{
-    std::ifstream in(file, std::ios::binary);
-    return std::string((std::istreambuf_iterator<char>(in)), {});
-}
-
 Image8 part(const Image8& whole, ivec2 from, ivec2 to)
 {
     Image8 out(to.x - from.x, to.y - from.y, 3);
