@@ -3,6 +3,8 @@
 #include "app/child_process.hpp"
 #include "app/commands.hpp"
 #include "app/scene_input.hpp"
+#include "app/stats.hpp"
+#include "app/view/scene_facts.hpp"
 #include "app/view/viewer.hpp"
 #include "app/view/window_state.hpp"
 #include "renderer/core/error.hpp"
@@ -12,6 +14,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <chrono>
 #include <memory>
 #include <utility>
 
@@ -63,10 +66,12 @@ std::filesystem::path shader_folder(const std::filesystem::path& wanted)
 
 int run(const Options& o)
 {
+    const auto read_start = std::chrono::steady_clock::now();
     SceneInput scene = read_scene_input(o.scene, o.frame);
+    const double read_ms = ms_since(read_start);
     const SettingChain chain(o.frame, scene);
     ViewerStart start;
-    start.scene = {scene_path(o.scene.scene), make_request(o.frame, scene, chain), scene.file};
+    start.scene = {scene_path(o.scene.scene), make_request(o.frame, scene, chain), scene.file, {}};
     start.continuous = o.continuous;
     start.shaders = shader_folder(o.shaders);
 
@@ -84,7 +89,10 @@ int run(const Options& o)
     options.window = window.window_system();
     Engine engine(options);
     start.scene.frame.settings = chain.apply(engine.device().report().is_cpu);
-    engine.load(scene.description());
+    const auto load_start = std::chrono::steady_clock::now();
+    const SceneDescription description = scene.description();
+    engine.load(description);
+    start.scene.facts = gather_facts(description, engine.scene(), read_ms + ms_since(load_start));
     SceneOpener opener(engine, o.scene, o.frame, std::move(scene));
     Viewer viewer(window, engine, opener, start);
     viewer.run();

@@ -33,7 +33,7 @@ ImageMetadata describe_frame(const FrameRequest& request, double time)
         fmt::format("width = {}\nheight = {}\ntime = {}\nlights = [", request.size.x, request.size.y, time);
     for (const Light& light : request.lights) out += fmt::format("\n    {},", toml_string(to_spec(light)));
     out += "\n]\n[camera]\n" + toml_camera(request.camera);
-    return {{metadata_key, out + differing_toml(list)}};
+    return {{metadata_key, out + differing_toml(list) + materials_toml(request.materials)}};
 }
 
 FrameConfig read_config(const std::filesystem::path& file)
@@ -47,9 +47,7 @@ FrameConfig read_config(const std::filesystem::path& file)
         static_cast<void>(read_exr(file, &metadata));
         return from_picture(file, metadata);
     }
-    FrameConfig config;
-    config.settings = read_settings_file(file);
-    return config;
+    return read_settings_file(file);
 }
 
 } // namespace atrium::app

@@ -1,6 +1,5 @@
 #include "app/resume.hpp"
 
-#include "app/scene_writer.hpp"
 #include "app/toml_text.hpp"
 #include "renderer/core/error.hpp"
 #include "renderer/core/hash.hpp"
@@ -24,7 +23,7 @@ std::string scene_mark(const SceneInput& scene)
         text += fmt::format("instance {} {} {}\n", instance.bake,
                             instance.mesh ? fmt::format("{}", *instance.mesh) : "all", fmt::join(matrix, " "));
     }
-    for (const MaterialOverride& material : scene.file.materials) text += material_toml(material);
+    text += materials_toml(scene.file.materials);
     return fmt::format("{:016x}", hash64(std::as_bytes(std::span(text))));
 }
 

@@ -175,6 +175,7 @@ FrameRequest make_request(const FrameOptions& o, const SceneInput& scene, const 
     request.settings = chain.apply(false);
     request.size = o.size.value_or(scene.config.size.value_or(uvec2(1280, 720)));
     request.lights = collect_lights(o, scene);
+    request.materials = scene.config.materials;
     if (!request.settings.debug.view.empty()) static_cast<void>(parse_aov(request.settings.debug.view, request.lights));
     request.camera = request.previous_camera = choose_camera(o, scene, request.size);
     return request;

@@ -28,15 +28,6 @@ std::string heading(const char* table, const std::string& name)
     return fmt::format("\n[{}.{}]\n", table, toml_string(name));
 }
 
-/// A light's keys have no other types than these.
-std::string light_value(const Setting& key)
-{
-    if (const auto* field = std::get_if<bool*>(&key.field)) return **field ? "true" : "false";
-    if (const auto* field = std::get_if<vec3*>(&key.field)) return toml_vector(**field);
-    if (std::holds_alternative<float*>(key.field)) return key.get();
-    return toml_string(key.get());
-}
-
 std::string light_text(const Light& light)
 {
     Light described = default_light(light.type);
@@ -46,7 +37,7 @@ std::string light_text(const Light& light)
     std::string out = fmt::format("\n[[light]]\ntype = \"{}\"\n", to_string(light.type));
     for (const Setting& key : keys.all()) {
         const bool needed = key.key == "position" || key.get() != key.default_text;
-        if (needed) out += fmt::format("{} = {}\n", key.key, light_value(key));
+        if (needed) out += fmt::format("{} = {}\n", key.key, toml_value(key));
     }
     return out;
 }
@@ -70,24 +61,6 @@ std::string path_keys_text(const CameraPath& path)
 
 } // namespace
 
-std::string material_toml(const MaterialOverride& material)
-{
-    std::string out = fmt::format("\n[[material]]\nmatch = {}\n", toml_string(material.match));
-    if (material.cls) out += fmt::format("class = \"{}\"\n", to_string(*material.cls));
-    const auto vector = [&](const char* key, const std::optional<vec3>& value) {
-        if (value) out += fmt::format("{} = {}\n", key, toml_vector(*value));
-    };
-    const auto number = [&](const char* key, const std::optional<float>& value) {
-        if (value) out += fmt::format("{} = {}\n", key, *value);
-    };
-    vector("base_color", material.base_color);
-    number("roughness", material.roughness);
-    number("metallic", material.metallic);
-    number("specular", material.specular);
-    vector("emission", material.emission);
-    return out;
-}
-
 std::string scene_toml(const SceneFile& scene, const fs::path& folder)
 {
     std::string out = fmt::format("bake = {}\n\n[settings]\n", path_text(scene.bake, folder));
@@ -96,7 +69,7 @@ std::string scene_toml(const SceneFile& scene, const fs::path& folder)
     for (const auto& [name, camera] : scene.cameras) out += heading("camera", name) + toml_camera(camera);
     for (const Light& light : scene.lights) out += light_text(light);
     for (const InstanceEntry& instance : scene.instances) out += instance_text(instance, folder);
-    for (const MaterialOverride& material : scene.materials) out += material_toml(material);
+    out += materials_toml(scene.materials);
     for (const auto& [name, path] : scene.paths) out += heading("path", name) + path_keys_text(path);
     return out;
 }

@@ -11,9 +11,6 @@ namespace atrium::app {
 /// The scene as a file that stands in `folder`: bakes below it are named relative to it, others by their whole path.
 [[nodiscard]] std::string scene_toml(const SceneFile& scene, const std::filesystem::path& folder);
 
-/// One table [[material]] of such a file.
-[[nodiscard]] std::string material_toml(const MaterialOverride& material);
-
 /// Throws Error(environment).
 void write_scene_file(const std::filesystem::path& file, const SceneFile& scene);
 

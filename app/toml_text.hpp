@@ -3,9 +3,11 @@
 
 #include "renderer/core/setting.hpp"
 #include "renderer/scene/camera.hpp"
+#include "renderer/scene/material_override.hpp"
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace atrium::app {
 
@@ -13,10 +15,15 @@ namespace atrium::app {
 [[nodiscard]] std::string toml_string(std::string_view text);
 
 [[nodiscard]] std::string toml_vector(const vec3& v);
+/// A boolean, number or array where the type has one, else a string.
+[[nodiscard]] std::string toml_value(const Setting& setting);
 /// The lines eye, target and fov.
 [[nodiscard]] std::string toml_camera(const Camera& camera);
 
 /// The table [settings] with every setting that differs from its default, in order of description.
 [[nodiscard]] std::string differing_toml(const SettingList& list);
+
+/// A table [[material]] for each.
+[[nodiscard]] std::string materials_toml(const std::vector<MaterialOverride>& materials);
 
 } // namespace atrium::app

@@ -327,6 +327,7 @@ FrameResult Engine::draw(const FrameRequest& request)
         s.path = request.settings.renderer.path;
         s.renderer = make_renderer(s.path);
     }
+    if (s.scene->override_materials(request.materials)) forget_frames();
     set_frame_constants(request);
 
     graph::Graph g;
@@ -341,7 +342,8 @@ FrameResult Engine::draw(const FrameRequest& request)
                                remember ? &*s.seen : nullptr,
                                order_lights(request.lights),
                                s.device.report().optional.lines,
-                               request.insets};
+                               request.insets,
+                               request.outlined};
     const Frame frame = build_frame(g, *s.renderer, context, request.aovs);
 
     s.readbacks.begin();

@@ -41,6 +41,8 @@ struct FrameRequest {
     Camera previous_camera;    ///< of the frame before, for motion vectors
     std::vector<Light> lights; ///< at most max_lights, named
     Settings settings;
+    std::vector<MaterialOverride> materials; ///< after those that the scene was loaded with
+    std::optional<std::uint32_t> outlined;   ///< material with a line around its pixels in the picture
     std::vector<Aov> aovs;
     bool want_picture = true, want_hdr = false;
     std::optional<PictureSlot> keep_picture; ///< on the device, for show(); the insets too

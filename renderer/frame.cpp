@@ -2,6 +2,7 @@
 
 #include "renderer/frame.hpp"
 
+#include "renderer/techniques/material_outline/material_outline.hpp"
 #include "renderer/techniques/wireframe/wireframe.hpp"
 
 #include <fmt/format.h>
@@ -120,6 +121,7 @@ Frame build_frame(graph::Graph& g, const Renderer& renderer, const FrameContext&
     add_insets(g, scene, frame, out);
     if (s.debug.wireframe && frame.can_draw_lines)
         add_wireframe(g, out.picture, scene.aov_inputs.gbuffer.depth, out.draws, frame.scene.geometry());
+    if (frame.outlined) add_material_outline(g, scene.aov_inputs.gbuffer.id, out.picture, *frame.outlined);
     return out;
 }
 

@@ -35,6 +35,7 @@ struct FrameContext {
     LightOrder light_order;
     bool can_draw_lines = true; ///< gpu::OptionalFeatures::lines
     Insets insets;
+    std::optional<std::uint32_t> outlined; ///< a material
 };
 
 /// A scene turned into radiance, with the intermediate images that AOVs are made from.

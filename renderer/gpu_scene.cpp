@@ -1,13 +1,10 @@
 #include "renderer/gpu_scene.hpp"
 
 #include "renderer/core/error.hpp"
-#include "renderer/materials/material_class.hpp"
 
 #include <fmt/format.h>
-#include <glm/gtc/packing.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -166,79 +163,61 @@ void GpuScene::load_bulk(std::span<const BakeFile* const> bakes, UploadPath path
     upload(device_, jobs, path);
 }
 
-/// Tables under construction, in host memory.
-struct GpuScene::Tables {
-    std::vector<Material> materials; ///< with overrides applied
-    std::vector<shared::GpuMaterial> gpu_materials;
-    std::vector<shared::GpuCluster> clusters;
-    std::vector<shared::GpuRecord> records;
-    std::array<std::vector<shared::DrawCommand>, material_class_count> whole; ///< by draw rank: a command per record
-};
-
 void GpuScene::make_tables(std::span<const BakeFile* const> bakes, std::span<const Instance> instances,
                            std::span<const MaterialOverride> overrides)
 {
     const std::vector<Bases> bases = bases_of(bakes);
-    Tables tables;
+    std::vector<shared::GpuCluster> clusters;
     for (std::size_t b = 0; b < bakes.size(); ++b) {
         const Scene& scene = bakes[b]->scene();
-        add_materials(scene, bases[b].textures, overrides, tables);
+        add_materials(scene, bases[b].textures, overrides);
         for (const Cluster& c : scene.clusters) {
             const auto first = static_cast<std::uint32_t>(bases[b].indices) + c.first_index;
-            tables.clusters.push_back({c.centre, c.radius, c.cone_axis, c.cone_cutoff, first, c.index_count});
+            clusters.push_back({c.centre, c.radius, c.cone_axis, c.cone_cutoff, first, c.index_count});
         }
     }
     for (std::uint32_t i = 0; i < instances.size(); ++i) {
         const Scene& scene = bakes[instances[i].bake]->scene();
         for (const std::uint32_t mesh : meshes_of(scene, instances[i])) {
-            add_record(scene, mesh, instances[i], i, bases[instances[i].bake], tables);
+            add_record(scene, mesh, instances[i], i, bases[instances[i].bake]);
         }
     }
     constexpr std::size_t record_capacity = (1u << 24) - 1; // what the G-buffer's id holds
-    if (tables.records.size() > record_capacity) {
+    if (record_table_.size() > record_capacity) {
         throw Error(ExitCode::environment, "the scene has too many meshes times instances", "",
-                    fmt::format("{} of at most {}", tables.records.size(), record_capacity), "use fewer instances");
+                    fmt::format("{} of at most {}", record_table_.size(), record_capacity), "use fewer instances");
     }
-    write_tables(tables);
-    find_ranges();
+    shown_ = materials_;
+    pack_materials();
+    classify();
+    write_tables(clusters);
     sort_for(bounds_.centre());
 }
 
 void GpuScene::add_materials(const Scene& scene, std::uint32_t first_texture,
-                             std::span<const MaterialOverride> overrides, Tables& tables) const
+                             std::span<const MaterialOverride> overrides)
 {
     const auto slot = [&](std::int32_t texture) {
         return texture == no_texture ? shared::no_texture_slot
                                      : texture_slots_[first_texture + static_cast<std::uint32_t>(texture)];
     };
-    for (Material m : scene.materials) {
-        for (const MaterialOverride& o : overrides) {
-            if (matches_pattern(o.match, m.name)) apply(o, m);
-        }
+    for (const Material& m : scene.materials) {
         const bool clamp =
             m.base_color_texture != no_texture && scene.textures[static_cast<std::size_t>(m.base_color_texture)].clamp;
-        const bool emits = m.emission != vec3(0) || m.emission_texture != no_texture;
         shared::GpuMaterial packed{};
-        packed.factors = {
-            glm::packHalf2x16(vec2(m.base_color.x, m.base_color.y)), glm::packHalf2x16(vec2(m.base_color.z, m.opacity)),
-            glm::packHalf2x16(vec2(m.roughness, m.metallic)), glm::packHalf2x16(vec2(m.specular, m.alpha_cutoff))};
         packed.slots = {slot(m.base_color_texture) | slot(m.normal_texture) << 16,
                         slot(m.surface_texture) | slot(m.emission_texture) << 16};
-        packed.flags = (clamp ? shared::material_clamps : 0u) | (emits ? shared::material_emits : 0u);
-        packed.emission = m.emission;
-        tables.gpu_materials.push_back(packed);
-        tables.materials.push_back(std::move(m));
+        packed.flags = clamp ? shared::material_clamps : 0u;
+        packed_.push_back(packed);
+        materials_.push_back(overridden(m, overrides));
     }
 }
 
 void GpuScene::add_record(const Scene& scene, std::uint32_t mesh_index, const Instance& instance,
-                          std::uint32_t instance_index, const Bases& base, Tables& tables)
+                          std::uint32_t instance_index, const Bases& base)
 {
     const Mesh& mesh = scene.meshes[mesh_index];
-    const Material& material = tables.materials[base.materials + mesh.material];
-    const bool two_sided = mesh.two_sided || material.two_sided || material.cls != MaterialClass::opaque;
-    const auto rank = static_cast<std::uint32_t>(draw_rank(material.cls));
-    const auto index = static_cast<std::uint32_t>(tables.records.size());
+    const auto index = static_cast<std::uint32_t>(record_table_.size());
     const mat4 rows = glm::transpose(instance.world_from_object);
 
     shared::GpuRecord record{};
@@ -246,13 +225,12 @@ void GpuScene::add_record(const Scene& scene, std::uint32_t mesh_index, const In
     record.material = base.materials + mesh.material;
     record.mesh = base.meshes + mesh_index;
     record.instance = instance_index;
-    record.flags = (two_sided ? shared::record_two_sided : 0u) |
-                   (material_classes[rank].has_holes ? shared::record_has_holes : 0u);
     record.max_scale = max_scale(instance.world_from_object);
     record.vertex_offset = static_cast<std::int32_t>(base.vertices);
-    tables.records.push_back(record);
-    tables.whole[rank].push_back({mesh.index_count, 1, static_cast<std::uint32_t>(base.indices) + mesh.first_index,
-                                  record.vertex_offset, index});
+    record_table_.push_back(record);
+    meshes_.push_back({{mesh.index_count, 1, static_cast<std::uint32_t>(base.indices) + mesh.first_index,
+                        record.vertex_offset, index},
+                       mesh.two_sided});
 
     for (std::uint32_t c = mesh.first_cluster; c < mesh.first_cluster + mesh.cluster_count; ++c) {
         Task task;
@@ -261,33 +239,24 @@ void GpuScene::add_record(const Scene& scene, std::uint32_t mesh_index, const In
         task.centre = vec3(instance.world_from_object * vec4(scene.clusters[c].centre, 1));
         task.radius = scene.clusters[c].radius * record.max_scale;
         task.material = record.material;
-        task.range = 2 * rank + (two_sided ? 1u : 0u);
         task.unsorted = static_cast<std::uint32_t>(sorted_.size());
         sorted_.push_back(task);
     }
     bounds_.add(transformed(mesh.bounds, instance.world_from_object));
 }
 
-void GpuScene::write_tables(const Tables& tables)
+void GpuScene::write_tables(std::span<const shared::GpuCluster> clusters)
 {
-    std::vector<shared::DrawCommand> commands;
-    for (std::size_t rank = 0; rank < tables.whole.size(); ++rank) {
-        const auto& own = tables.whole[rank];
-        if (own.empty()) continue;
-        whole_ranges_.push_back({material_classes[rank].cls, true, static_cast<std::uint32_t>(commands.size()),
-                                 static_cast<std::uint32_t>(own.size())});
-        commands.insert(commands.end(), own.begin(), own.end());
-    }
     std::vector<shared::DrawTask> tasks;
     for (const Task& task : sorted_) tasks.push_back(task.draw);
     task_count_ = static_cast<std::uint32_t>(tasks.size());
-    materials_ = make_table<shared::GpuMaterial>(device_, "materials", tables.gpu_materials);
-    records_ = make_table<shared::GpuRecord>(device_, "records", tables.records);
-    clusters_ = make_table<shared::GpuCluster>(device_, "clusters", tables.clusters);
+    material_table_ = make_table<shared::GpuMaterial>(device_, "materials", packed_);
+    records_ = make_table<shared::GpuRecord>(device_, "records", record_table_);
+    clusters_ = make_table<shared::GpuCluster>(device_, "clusters", clusters);
     tasks_ = make_table<shared::DrawTask>(device_, "draw tasks", tasks);
     order_ = make_table<std::uint32_t>(device_, "draw order", std::vector<std::uint32_t>(tasks.size()));
-    whole_meshes_ = make_table<shared::DrawCommand>(device_, "whole meshes", commands);
-    descriptors_.set_frame_buffer(gpu::FrameBinding::materials, materials_);
+    whole_meshes_ = make_table<shared::DrawCommand>(device_, "whole meshes", whole_commands_);
+    descriptors_.set_frame_buffer(gpu::FrameBinding::materials, material_table_);
     descriptors_.set_frame_buffer(gpu::FrameBinding::records, records_);
     descriptors_.set_frame_buffer(gpu::FrameBinding::clusters, clusters_);
     descriptors_.set_frame_buffer(gpu::FrameBinding::draw_tasks, tasks_);
@@ -299,18 +268,6 @@ void GpuScene::write_tables(const Tables& tables)
         subgroup_size_ = device_.report().subgroup_size;
         descriptors_.set_frame_buffer(gpu::FrameBinding::vertices, vertices_);
         descriptors_.set_frame_buffer(gpu::FrameBinding::indices, indices_);
-    }
-}
-
-void GpuScene::find_ranges()
-{
-    std::vector<std::uint32_t> counts(2 * material_class_count);
-    for (const Task& task : sorted_) ++counts[task.range];
-    std::uint32_t first = 0;
-    for (std::uint32_t range = 0; range < counts.size(); ++range) {
-        if (counts[range] == 0) continue;
-        ranges_.push_back({material_classes[range / 2].cls, (range & 1) != 0, first, counts[range]});
-        first += counts[range];
     }
 }
 

@@ -47,6 +47,16 @@ public:
     [[nodiscard]] std::span<const DrawRange> whole_mesh_ranges() const { return whole_ranges_; }
 
     [[nodiscard]] const Bounds& bounds() const { return bounds_; } ///< of all instances, world
+    /// As bakes and the scene's overrides have them. Their index is the AOV `material`.
+    [[nodiscard]] std::span<const Material> materials() const { return materials_; }
+    /// In the table of textures; shared::no_texture_slot where it has none.
+    [[nodiscard]] std::uint32_t base_color_slot(std::size_t material) const
+    {
+        return packed_[material].slots.x & shared::no_texture_slot;
+    }
+    /// Shows materials() with further overrides, instead of those of the last call. Whether that may change which
+    /// pixels a surface covers. Between frames only.
+    bool override_materials(std::span<const MaterialOverride> overrides);
     [[nodiscard]] std::uint32_t material_of_task(std::uint32_t ordered) const { return sorted_[ordered].material; }
 
 private:
@@ -60,24 +70,36 @@ private:
         float distance = 0;         ///< from the eye to the far end of its sphere, m
         std::int32_t layer = 0;     ///< of distance, logarithmic
     };
+    struct WholeMesh {
+        shared::DrawCommand command{};
+        bool two_sided = false; ///< whatever its material
+    };
     struct Bases;
-    struct Tables;
     [[nodiscard]] static std::vector<Bases> bases_of(std::span<const BakeFile* const> bakes);
     void load_bulk(std::span<const BakeFile* const> bakes, UploadPath path);
     void make_tables(std::span<const BakeFile* const> bakes, std::span<const Instance> instances,
                      std::span<const MaterialOverride> overrides);
-    void add_materials(const Scene& scene, std::uint32_t first_texture, std::span<const MaterialOverride> overrides,
-                       Tables& tables) const;
+    void add_materials(const Scene& scene, std::uint32_t first_texture, std::span<const MaterialOverride> overrides);
     void add_record(const Scene& scene, std::uint32_t mesh_index, const Instance& instance,
-                    std::uint32_t instance_index, const Bases& base, Tables& tables);
-    void write_tables(const Tables& tables);
+                    std::uint32_t instance_index, const Bases& base);
+    void write_tables(std::span<const shared::GpuCluster> clusters);
+    /// Packs what is shown of each material.
+    void pack_materials();
+    /// Sorts records, tasks and whole meshes by the class and sidedness of what is shown.
+    void classify();
     void find_ranges();
 
     const gpu::Device& device_;
     gpu::Descriptors& descriptors_;
-    gpu::Buffer vertices_, indices_, materials_, records_, clusters_, tasks_, order_, whole_meshes_;
+    gpu::Buffer vertices_, indices_, material_table_, records_, clusters_, tasks_, order_, whole_meshes_;
     std::vector<gpu::Image> images_;
     std::vector<gpu::TextureSlot> texture_slots_;
+    std::vector<Material> materials_, shown_; ///< shown_: with override_materials()
+    std::vector<MaterialOverride> overrides_; ///< of shown_
+    std::vector<shared::GpuMaterial> packed_; ///< of shown_
+    std::vector<shared::GpuRecord> record_table_;
+    std::vector<WholeMesh> meshes_; ///< by record
+    std::vector<shared::DrawCommand> whole_commands_;
     std::vector<DrawRange> ranges_, whole_ranges_;
     std::vector<Task> sorted_;
     std::uint32_t task_count_ = 0;

@@ -14,6 +14,13 @@ void wrapped(const std::string& text)
     ImGui::PopTextWrapPos();
 }
 
+std::string grouped(std::uint64_t number)
+{
+    std::string out = fmt::format("{}", number);
+    for (std::size_t i = out.size(); i > 3;) out.insert(i -= 3, 1, ' ');
+    return out;
+}
+
 void tooltip(const char* text)
 {
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);

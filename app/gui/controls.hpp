@@ -2,6 +2,7 @@
 // What the tabs share: text, buttons, lists.
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,9 @@ namespace atrium::gui {
 
 /// Text that is broken at the panel's edge.
 void wrapped(const std::string& text);
+
+/// 1234567 as 1 234 567.
+[[nodiscard]] std::string grouped(std::uint64_t number);
 
 /// Of the item before, while the mouse is on it.
 void tooltip(const char* text);

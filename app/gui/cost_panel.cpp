@@ -2,6 +2,7 @@
 
 #include "app/gui/controls.hpp"
 #include "app/gui/panels.hpp"
+#include "app/gui/scene_statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,14 +16,6 @@ namespace {
 void text(const std::string& line)
 {
     ImGui::TextUnformatted(line.c_str());
-}
-
-/// 1234567 as 1 234 567.
-std::string grouped(std::uint64_t number)
-{
-    std::string out = fmt::format("{}", number);
-    for (std::size_t i = out.size(); i > 3;) out.insert(i -= 3, 1, ' ');
-    return out;
 }
 
 /// A hue of its own for each pass, neighbours far apart.
@@ -126,8 +119,9 @@ void draw_memory(const FrameFacts& facts)
 
 } // namespace
 
-void draw_cost_tab(const FrameFacts& facts, PanelState& state)
+void draw_cost_tab(const FrameFacts& facts, PanelState& state, std::size_t lights)
 {
+    draw_scene_statistics(facts.scene, lights);
     draw_memory(facts);
     if (facts.costs.frames().empty()) {
         ImGui::TextDisabled("No frame has been timed yet.");

@@ -134,7 +134,12 @@ void draw_tabs(ViewModel& model, const FrameFacts& facts, PanelState& state)
     tab(Tab::lights, "Lights", [&] { draw_light_tab(model, state, facts.is_cpu); });
     tab(Tab::buffers, "Buffers", [&] { draw_buffer_tab(model, state, facts.is_cpu); });
     tab(Tab::camera, "Camera", [&] { draw_camera_tab(model, state, facts.is_cpu); });
-    tab(Tab::costs, "Costs", [&] { draw_cost_tab(facts, state); });
+    state.materials.open = false;
+    tab(Tab::materials, "Materials", [&] {
+        state.materials.open = true;
+        draw_material_tab(model, facts.scene, state.materials, facts.is_cpu);
+    });
+    tab(Tab::costs, "Costs", [&] { draw_cost_tab(facts, state, model.lights.size()); });
     tab(Tab::help, "Help", [&] { draw_help_tab(state); });
     ImGui::EndTabBar();
 }

@@ -1,7 +1,8 @@
 #pragma once
-// The panel on the left of the window: settings, lights, buffers, camera, costs, help.
+// The panel on the left of the window: settings, lights, buffers, camera, materials, costs, help.
 
 #include "app/gui/cost_history.hpp"
+#include "app/gui/material_panel.hpp"
 #include "app/gui/path_panel.hpp"
 #include "app/gui/setting_widgets.hpp"
 #include "app/gui/view_model.hpp"
@@ -44,6 +45,7 @@ struct FrameFacts {
     void* insets = nullptr;           ///< ImGui's name of the image in which the pinned ones stand side by side
     /// The channels of one of `buffers` at a point of it, 0 to 1; none while the camera moves.
     std::function<std::vector<float>(std::size_t buffer, vec2 at)> buffer_value;
+    SceneFacts scene;
 };
 
 /// One line of the help.
@@ -55,7 +57,7 @@ struct KeyHelp {
 /// A file of costs that is wished for: cost_history.hpp.
 enum class CostFile { json, trace };
 
-enum class Tab { settings, lights, buffers, camera, costs, help };
+enum class Tab { settings, lights, buffers, camera, materials, costs, help };
 
 /// What the panel remembers between frames.
 struct PanelState {
@@ -71,8 +73,9 @@ struct PanelState {
     PathPanel path;                              ///< of cameras
     bool frame = false;                          ///< wished for in this frame: to see the selected light, or the scene
     std::optional<CostFile> save_costs;          ///< wished for in this frame
-    bool dragging = false;                       ///< something beside the panels is in the middle of an edit
-    Headings headings = Headings::as_they_are;   ///< of the settings, in the next frame that shows them
+    MaterialTab materials;
+    bool dragging = false;                     ///< something beside the panels is in the middle of an edit
+    Headings headings = Headings::as_they_are; ///< of the settings, in the next frame that shows them
 };
 
 inline constexpr float panel_width = 360; ///< pixels at scale 1, where the display has as many
@@ -89,7 +92,7 @@ void draw_buffers(ViewModel& model, const FrameFacts& facts, float scale);
 void draw_camera_tab(ViewModel& model, PanelState& state, bool is_cpu);
 void draw_light_tab(ViewModel& model, PanelState& state, bool is_cpu);
 void draw_buffer_tab(ViewModel& model, PanelState& state, bool is_cpu);
-void draw_cost_tab(const FrameFacts& facts, PanelState& state);
+void draw_cost_tab(const FrameFacts& facts, PanelState& state, std::size_t lights);
 
 /// "--eye X,Y,Z --target X,Y,Z --fov F", from which the command line makes the same camera.
 [[nodiscard]] std::string camera_options(const Camera& camera);

@@ -45,13 +45,14 @@ void ViewModel::reset(const Settings& new_settings, const Camera& new_camera, st
 
 ViewModel::Snapshot ViewModel::now() const
 {
-    return {settings, list.differing(), lights};
+    return {settings, list.differing(), lights, materials};
 }
 
 void ViewModel::restore(const Snapshot& snapshot)
 {
     settings = snapshot.settings;
     lights = snapshot.lights;
+    materials = snapshot.materials;
     if (selected && *selected >= lights.size()) selected.reset();
     last_ = snapshot;
 }
@@ -117,7 +118,7 @@ void ViewModel::apply_defaults(bool is_cpu)
 
 std::string ViewModel::settings_toml() const
 {
-    return app::differing_toml(list);
+    return app::differing_toml(list) + app::materials_toml(materials);
 }
 
 void ViewModel::save_settings(const std::filesystem::path& file) const
@@ -129,10 +130,14 @@ std::optional<std::string> ViewModel::load_settings(const std::filesystem::path&
 {
     const Settings before = settings;
     try {
-        const std::vector<SettingText> texts = read_settings_file(file);
+        const FrameConfig config = read_settings_file(file);
         settings = Settings{};
-        auto refused = apply_texts(texts);
-        if (refused) settings = before;
+        auto refused = apply_texts(config.settings);
+        if (refused) {
+            settings = before;
+        } else {
+            materials = spelled_out(scene_materials, config.materials);
+        }
         return refused;
     } catch (const Error& e) {
         return e.text();
@@ -144,6 +149,7 @@ void ViewModel::save_scene(const std::filesystem::path& file) const
     SceneFile scene = scene_file;
     scene.settings = app::portable_settings(list);
     scene.lights = lights;
+    scene.materials.insert(scene.materials.end(), materials.begin(), materials.end());
     scene.paths = paths;
     Bookmarks cameras{{"window", camera}};
     for (const NamedCamera& c : scene_file.cameras) {
@@ -268,6 +274,27 @@ void ViewModel::drop_lost_buffers()
     const std::vector<std::string> names = aov_names(lights);
     std::erase_if(pinned,
                   [&](const PinnedBuffer& p) { return std::find(names.begin(), names.end(), p.name) == names.end(); });
+}
+
+// ---- materials
+
+Material ViewModel::material(std::size_t index) const
+{
+    return overridden(scene_materials.at(index), materials);
+}
+
+void ViewModel::set_material(std::size_t index, const Material& wanted)
+{
+    MaterialOverride change = difference(scene_materials.at(index), wanted);
+    const auto present = std::find_if(materials.begin(), materials.end(),
+                                      [&](const MaterialOverride& o) { return o.match == change.match; });
+    if (change.values.empty()) {
+        if (present != materials.end()) materials.erase(present);
+    } else if (present != materials.end()) {
+        *present = std::move(change);
+    } else {
+        materials.push_back(std::move(change));
+    }
 }
 
 } // namespace atrium::gui

@@ -40,14 +40,17 @@ public:
     Settings settings;
     SettingList list; ///< bound to `settings`; its defaults are those of Settings
     Camera camera;
-    std::vector<Light> lights;           ///< named, no name twice
-    std::optional<std::size_t> selected; ///< of `lights`
-    std::optional<Split> split;          ///< no part of undo and redo
-    std::vector<PinnedBuffer> pinned;    ///< at most max_insets, no name twice
+    std::vector<Light> lights;                    ///< named, no name twice
+    std::optional<std::size_t> selected;          ///< of `lights`
+    std::optional<Split> split;                   ///< no part of undo and redo
+    std::vector<PinnedBuffer> pinned;             ///< at most max_insets, no name twice
+    std::vector<Material> scene_materials;        ///< as the scene has them
+    std::vector<MaterialOverride> materials;      ///< what is changed of them, one for each name
+    std::optional<std::size_t> selected_material; ///< of `scene_materials`
     std::string scene_name;
     Bookmarks bookmarks;
     CameraPaths paths;
-    SceneFile scene_file; ///< as it was opened: its bake, instances, materials and cameras are not edited
+    SceneFile scene_file; ///< as it was opened: its bake, instances and cameras are not edited
 
     /// Begins anew, without anything to undo. Lights without a name are given theirs; throws Error(usage) for names
     /// that name_lights() refuses, and changes nothing then.
@@ -55,7 +58,7 @@ public:
     /// The camera of the last reset().
     [[nodiscard]] const Camera& start_camera() const { return start_camera_; }
 
-    // Undo and redo: of settings and lights. The camera is not part of it: one flies back.
+    // Undo and redo: of settings, lights and materials. The camera is not part of it: one flies back.
 
     /// Makes what has changed since the last one a step to undo; nothing, when nothing has. Called after each edit, or
     /// each frame in which nobody is in the middle of one: a drag is then one step.
@@ -70,12 +73,12 @@ public:
     [[nodiscard]] std::optional<std::string> apply_texts(std::span<const SettingText> texts);
     /// All settings as the description has them, those of a CPU device where it is one.
     void apply_defaults(bool is_cpu);
-    /// What differs from the defaults as a file for --config.
+    /// What differs from the defaults, and of the scene's materials, as a file for --config.
     [[nodiscard]] std::string settings_toml() const;
     /// Writes that file. Throws Error(environment).
     void save_settings(const std::filesystem::path& file) const;
-    /// Makes the settings what a file for --config says, and the defaults where it says nothing. All of it or, with
-    /// what is wrong as the answer, nothing.
+    /// Makes settings and materials what a file for --config says, and the defaults and the scene's where it says
+    /// nothing. All of it or, with what is wrong as the answer, nothing.
     [[nodiscard]] std::optional<std::string> load_settings(const std::filesystem::path& file);
 
     /// Writes the scene as a file that `render` and `view` take. Its first camera, called "window", is the present one;
@@ -106,13 +109,24 @@ public:
     /// Forgets what a light that is no longer there was shown of.
     void drop_lost_buffers();
 
+    // Materials.
+
+    /// As it is shown.
+    [[nodiscard]] Material material(std::size_t index) const;
+    /// Shows all materials of its name with what differs from the scene's.
+    void set_material(std::size_t index, const Material& wanted);
+
 private:
     using Texts = std::vector<std::pair<std::string, std::string>>;
     struct Snapshot {
         Settings settings;
         Texts texts; ///< of settings that differ from their defaults: what is compared
         std::vector<Light> lights;
-        bool operator==(const Snapshot& other) const { return texts == other.texts && lights == other.lights; }
+        std::vector<MaterialOverride> materials;
+        bool operator==(const Snapshot& other) const
+        {
+            return texts == other.texts && lights == other.lights && materials == other.materials;
+        }
     };
     [[nodiscard]] Snapshot now() const;
     void restore(const Snapshot& snapshot);

@@ -1,27 +1,15 @@
 #include "app/view/gui.hpp"
 
 #include "app/gui/style.hpp"
+#include "app/gui/ui_image.hpp"
 
 #include <imgui/backends/imgui_impl_glfw.h>
 #include <imgui/imgui.h>
 
 #include <algorithm>
-#include <cstdint>
 
 namespace atrium::app {
 namespace {
-
-ImTextureID id_of(std::uint32_t image)
-{
-    // ImGui's handles are pointers, and null means none. (clang-tidy 14 dies of std::bit_cast to one.)
-    // NOLINTNEXTLINE(performance-no-int-to-ptr)
-    return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(image) + 1);
-}
-
-std::uint32_t image_of(ImTextureID id)
-{
-    return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(id) - 1);
-}
 
 void append(UiDraws& out, const ImDrawList& list, uvec2 pixels)
 {
@@ -37,7 +25,7 @@ void append(UiDraws& out, const ImDrawList& list, uvec2 pixels)
         command.clip_size = uvec2(high) - command.clip_origin;
         command.first_index = static_cast<std::uint32_t>(out.indices.size());
         command.index_count = c.ElemCount;
-        command.image = image_of(c.TextureId);
+        command.image = gui::image_of(c.TextureId);
         for (unsigned i = 0; i < c.ElemCount; ++i) {
             out.indices.push_back(first_vertex + c.VtxOffset + list.IdxBuffer[static_cast<int>(c.IdxOffset + i)]);
         }
@@ -67,7 +55,7 @@ Gui::~Gui()
 
 void* Gui::insets()
 {
-    return id_of(shared::ui_insets);
+    return gui::ui_image(shared::ui_insets);
 }
 
 void Gui::set_scale(float scale)
@@ -81,7 +69,7 @@ void Gui::set_scale(float scale)
     io.Fonts->GetTexDataAsRGBA32(&texels, &width, &height);
     engine_.set_ui_font({static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)},
                         {reinterpret_cast<const std::byte*>(texels), static_cast<std::size_t>(width * height) * 4});
-    io.Fonts->SetTexID(id_of(shared::ui_font));
+    io.Fonts->SetTexID(gui::ui_image(shared::ui_font));
 }
 
 void Gui::begin(uvec2 pixels)

@@ -1,9 +1,12 @@
 #include "app/view/scene_opener.hpp"
 
+#include "app/stats.hpp"
+#include "app/view/scene_facts.hpp"
 #include "renderer/core/error.hpp"
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <system_error>
 
 namespace atrium::app {
@@ -71,22 +74,26 @@ std::optional<SceneStart> SceneOpener::update()
 
 SceneStart SceneOpener::load(const std::filesystem::path& file)
 {
+    const auto from = std::chrono::steady_clock::now();
     SceneOptions options = options_;
     options.scene = file;
     SceneInput scene = read_scene_input(options, frame_);
     scene.config.camera.reset();
     scene.config.lights.reset();
+    scene.config.materials.clear();
     const SettingChain chain(frame_, scene);
     FrameRequest frame = make_request(frame_, scene, chain);
     frame.settings = chain.apply(engine_.device().report().is_cpu);
+    const SceneDescription description = scene.description();
     try {
-        engine_.load(scene.description());
+        engine_.load(description);
     } catch (const Error&) { // such as one too large for the device
         engine_.load(scene_.description());
         throw;
     }
+    gui::SceneFacts facts = gather_facts(description, engine_.scene(), ms_since(from));
     scene_ = std::move(scene);
-    return {scene_path(file), std::move(frame), scene_.file};
+    return {scene_path(file), std::move(frame), scene_.file, std::move(facts)};
 }
 
 } // namespace atrium::app

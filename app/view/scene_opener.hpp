@@ -1,6 +1,7 @@
 #pragma once
 // Other scenes in the place of the one that the window shows.
 
+#include "app/gui/scene_facts.hpp"
 #include "app/obj_bake.hpp"
 #include "app/scene_input.hpp"
 #include "app/view/recent_scenes.hpp"
@@ -18,12 +19,13 @@ struct SceneStart {
     std::filesystem::path file; ///< as scene_path() says it
     FrameRequest frame;
     SceneFile scene_file;
+    gui::SceneFacts facts; ///< of what the engine has
 };
 
 class SceneOpener {
 public:
     /// After the engine was given `scene`, which the command line named. Of its options those about settings and the
-    /// device hold for other scenes too; cameras and lights are each scene's own.
+    /// device hold for other scenes too; cameras, lights and materials are each scene's own.
     SceneOpener(Engine& engine, const SceneOptions& options, const FrameOptions& frame, SceneInput scene);
 
     /// Begins to open a bake, a scene file or an OBJ, which is baked first, beside the window. Whatever was on its way

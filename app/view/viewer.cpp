@@ -7,6 +7,7 @@
 #include "app/gui/split_view.hpp"
 #include "app/view/comparison.hpp"
 #include "app/view/numbered_file.hpp"
+#include "app/view/picking.hpp"
 #include "app/view/screenshot.hpp"
 #include "renderer/core/atomic_file.hpp"
 #include "renderer/core/error.hpp"
@@ -73,6 +74,10 @@ Viewer::Viewer(Window& window, Engine& engine, SceneOpener& opener, const Viewer
 void Viewer::begin(const SceneStart& start)
 {
     request_ = start.frame;
+    const std::span<const Material> materials = engine_.scene().materials();
+    model_.scene_materials.assign(materials.begin(), materials.end());
+    model_.materials = spelled_out(materials, start.frame.materials);
+    model_.selected_material.reset();
     model_.reset(start.frame.settings, start.frame.camera, start.frame.lights);
     model_.scene_name = start.file.filename().string();
     model_.scene_file = start.scene_file;
@@ -82,6 +87,8 @@ void Viewer::begin(const SceneStart& start)
     model_.split.reset();
     panels_.camera.reset();
     panels_.path = {};
+    panels_.materials = {};
+    facts_.scene = start.facts;
     light_view_ = {};
     flight_ = gui::FlyCamera(engine_.scene().bounds().diagonal());
     handles_ = {};
@@ -153,6 +160,7 @@ void Viewer::run()
         handle_keys(pixels);
         const bool on_handle = show_gui_ && handles_.update(model_, gui_.scale());
         moving = fly(passed, on_handle);
+        if (!on_handle) pick_material(pixels);
         draw_interface(pixels);
         const UiDraws interface = gui_.end();
         facts_.interface_ms = 1000 * seconds_since(last);
@@ -309,6 +317,28 @@ void Viewer::look_through_light()
         panels_.message = "no light is selected to look through: click on the mark of one, or its line in the list";
 }
 
+void Viewer::pick_material(uvec2 pixels)
+{
+    const ImGuiIO& io = ImGui::GetIO();
+    constexpr float slip = 4; // pixels that a click may move
+    const float moved = std::sqrt(io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left]);
+    if (!show_gui_ || !panels_.materials.open || io.WantCaptureMouse) return;
+    if (!ImGui::IsMouseReleased(ImGuiMouseButton_Left) || moved > slip * gui_.scale()) return;
+    try {
+        model_.selected_material = material_at(engine_, wanted_picture(pixels), uvec2(io.MousePos.x, io.MousePos.y));
+        panels_.materials.filter.clear();
+        panels_.materials.scroll = true;
+    } catch (const Error& error) {
+        panels_.message = error.text();
+    }
+}
+
+std::optional<std::uint32_t> Viewer::outlined() const
+{
+    if (!show_gui_ || !panels_.materials.open || !model_.selected_material) return std::nullopt;
+    return static_cast<std::uint32_t>(*model_.selected_material);
+}
+
 void Viewer::draw_interface(uvec2 pixels)
 {
     facts_.size = pixels;
@@ -342,6 +372,8 @@ FrameRequest Viewer::wanted_frame(const Settings& settings, uvec2 size) const
     wanted.settings = settings;
     wanted.camera = wanted.previous_camera = model_.camera;
     wanted.lights = model_.lights;
+    wanted.materials = model_.materials;
+    wanted.outlined = outlined();
     wanted.size = size;
     return wanted;
 }
@@ -367,6 +399,7 @@ std::string Viewer::state_text(const Settings& settings, uvec2 pixels) const
         for (const Setting& key : keys.all()) text += key.get();
     }
     for (const auto& [key, value] : describe_frame(wanted_frame(settings, {16, 9}), 0)) text += key + value;
+    if (const auto material = outlined()) text += fmt::format("outlined = {}", *material);
     return text;
 }
 
@@ -374,6 +407,7 @@ FrameRequest Viewer::wanted_picture(uvec2 size) const
 {
     FrameRequest wanted = wanted_frame(model_.settings, size);
     wanted.keep_picture.reset();
+    wanted.outlined.reset();
     wanted.remember = wanted.keep_buffers = false;
     wanted.insets = {};
     return wanted;

@@ -82,6 +82,10 @@ private:
     void frame_selection(uvec2 pixels);
     /// Through the selected light, or back.
     void look_through_light();
+    /// A click in the scene selects the material there, where the tab of materials is open.
+    void pick_material(uvec2 pixels);
+    /// The material with a line around it.
+    [[nodiscard]] std::optional<std::uint32_t> outlined() const;
     void draw_interface(uvec2 pixels);
     void draw_notices();
     /// Lets `write` draw what the model says, as `render` draws it, into files that it names in its answer.

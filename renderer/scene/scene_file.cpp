@@ -130,32 +130,33 @@ InstanceEntry read_instance(const fs::path& file, const toml::table& table, cons
     return instance;
 }
 
-std::optional<MaterialClass> read_class(const TomlReader& in)
-{
-    const auto text = in.text("class");
-    if (!text) return std::nullopt;
-    std::vector<std::string> names;
-    for (int i = 0; i < material_class_count; ++i) {
-        names.emplace_back(to_string(static_cast<MaterialClass>(i)));
-        if (names.back() == *text) return static_cast<MaterialClass>(i);
-    }
-    in.fail("class", fmt::format("the classes are {}", fmt::join(names, ", ")),
-            fmt::format("did you mean \"{}\"?", nearest_name(*text, names)));
-}
-
 MaterialOverride read_material(const fs::path& file, const toml::table& table)
 {
-    const TomlReader in(file, table, "a material override",
-                        {"match", "class", "base_color", "roughness", "metallic", "specular", "emission"});
+    Material material;
+    SettingList keys("material key", "");
+    describe(keys, material);
+    std::vector<std::string> names{"match"};
+    for (const Setting& key : keys.all()) names.push_back(key.key);
+    const TomlReader in(file, table, "a material override", names);
     MaterialOverride o;
     o.match = in.required_text("match");
-    o.cls = read_class(in);
-    o.base_color = in.vector("base_color", share);
-    o.roughness = in.number("roughness", share);
-    o.metallic = in.number("metallic", share);
-    o.specular = in.number("specular", share);
-    o.emission = in.vector("emission", amount);
+    for (const TomlEntry& entry : in_file_order(table)) {
+        if (entry.key == "match") continue;
+        const auto text = as_set_text(*entry.node);
+        if (!text)
+            in.fail(entry.key, fmt::format("expected a value, found {}", kind_of(*entry.node)), "give one value");
+        keys.set(entry.key, *text, ExitCode::input, in.where(entry.key));
+        o.values.emplace_back(entry.key, keys.find(entry.key)->get());
+    }
     return o;
+}
+
+std::vector<MaterialOverride> read_materials(const TomlReader& root)
+{
+    std::vector<MaterialOverride> materials;
+    for (const toml::table* material : root.tables("material"))
+        materials.push_back(read_material(root.file(), *material));
+    return materials;
 }
 
 CameraPath read_path(const fs::path& file, const toml::table& table, const std::string& name)
@@ -196,9 +197,10 @@ void for_each_named(const TomlReader& root, const char* key, F&& read)
     }
 }
 
-/// All of a settings file: keys stand alone or below [settings].
-std::vector<SettingText> settings_of(const toml::table& table, const fs::path& file)
+/// All of a settings file but its materials: keys stand alone or below [settings].
+std::vector<SettingText> settings_of(toml::table table, const fs::path& file)
 {
+    table.erase("material");
     std::vector<SettingText> settings = read_settings(file, table);
     for (SettingText& setting : settings) {
         constexpr std::string_view prefix = "settings.";
@@ -232,9 +234,7 @@ SceneFile read_scene_file(const fs::path& file)
     for (const toml::table* instance : root.tables("instance")) {
         scene.instances.push_back(read_instance(file, *instance, scene.bake));
     }
-    for (const toml::table* material : root.tables("material")) {
-        scene.materials.push_back(read_material(file, *material));
-    }
+    scene.materials = read_materials(root);
     for_each_named(root, "path", [&](const std::string& name, const toml::table& path) {
         scene.paths[name] = read_path(file, path, name);
     });
@@ -245,7 +245,7 @@ FrameConfig parse_frame_config(std::string_view text, const fs::path& file)
 {
     const toml::table table = parse_toml_text(text, file);
     const TomlReader root(file, table, "the description of a frame",
-                          {"width", "height", "time", "lights", "camera", "settings"});
+                          {"width", "height", "time", "lights", "camera", "settings", "material"});
     FrameConfig config;
     if (const toml::table* settings = root.subtable("settings")) config.settings = read_settings(file, *settings);
     if (const toml::table* camera = root.subtable("camera")) {
@@ -260,49 +260,24 @@ FrameConfig parse_frame_config(std::string_view text, const fs::path& file)
         for (const toml::node& light : *lights)
             config.lights->push_back(parse_light(light.value_or(std::string_view())));
     }
+    config.materials = read_materials(root);
     return config;
 }
 
-std::vector<SettingText> read_settings_file(const fs::path& file)
+FrameConfig read_settings_file(const fs::path& file)
 {
-    return settings_of(parse_toml(file), file);
+    const toml::table table = parse_toml(file);
+    std::vector<std::string> keys; // settings judge theirs later
+    for (const TomlEntry& entry : in_file_order(table)) keys.push_back(entry.key);
+    FrameConfig config;
+    config.settings = settings_of(table, file);
+    config.materials = read_materials(TomlReader(file, table, "the file of settings", keys));
+    return config;
 }
 
 std::vector<SettingText> parse_settings(std::string_view text, const fs::path& file)
 {
     return settings_of(parse_toml_text(text, file), file);
-}
-
-bool matches_pattern(std::string_view pattern, std::string_view name)
-{
-    // On a mismatch, the last star takes one character more: linear in memory, at worst the product in time.
-    std::size_t p = 0, n = 0, star = std::string_view::npos, star_n = 0;
-    while (n < name.size()) {
-        if (p < pattern.size() && pattern[p] == '*') {
-            star = p++;
-            star_n = n;
-        } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n])) {
-            ++p;
-            ++n;
-        } else if (star != std::string_view::npos) {
-            p = star + 1;
-            n = ++star_n;
-        } else {
-            return false;
-        }
-    }
-    while (p < pattern.size() && pattern[p] == '*') ++p;
-    return p == pattern.size();
-}
-
-void apply(const MaterialOverride& o, Material& material)
-{
-    if (o.cls) material.cls = *o.cls;
-    if (o.base_color) material.base_color = *o.base_color;
-    if (o.roughness) material.roughness = *o.roughness;
-    if (o.metallic) material.metallic = *o.metallic;
-    if (o.specular) material.specular = *o.specular;
-    if (o.emission) material.emission = *o.emission;
 }
 
 } // namespace atrium

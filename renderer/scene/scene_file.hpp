@@ -4,7 +4,7 @@
 #include "renderer/scene/camera.hpp"
 #include "renderer/scene/camera_path.hpp"
 #include "renderer/scene/light.hpp"
-#include "renderer/scene/scene.hpp"
+#include "renderer/scene/material_override.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -28,14 +28,6 @@ struct InstanceEntry {
     float scale = 1;
 };
 
-struct MaterialOverride {
-    std::string match; ///< pattern with * and ? against material names
-    std::optional<MaterialClass> cls;
-    std::optional<vec3> base_color;
-    std::optional<float> roughness, metallic, specular;
-    std::optional<vec3> emission;
-};
-
 struct SceneFile {
     std::filesystem::path path, bake;
     std::vector<SettingText> settings;
@@ -49,11 +41,6 @@ struct SceneFile {
 /// Throws Error(input) with file:line on bad TOML, wrong types, unknown keys (with the nearest valid name).
 [[nodiscard]] SceneFile read_scene_file(const std::filesystem::path& file);
 
-/// The settings of a file for --config: its [settings] table and its top-level keys, in file order. Throws as above.
-[[nodiscard]] std::vector<SettingText> read_settings_file(const std::filesystem::path& file);
-/// The same from memory; `file` names it in messages.
-[[nodiscard]] std::vector<SettingText> parse_settings(std::string_view text, const std::filesystem::path& file);
-
 /// What a picture says about itself: all that is needed to draw it again, but the scene.
 struct FrameConfig {
     std::vector<SettingText> settings;
@@ -61,14 +48,15 @@ struct FrameConfig {
     std::optional<std::vector<Light>> lights;
     std::optional<uvec2> size;
     std::optional<double> time;
+    std::vector<MaterialOverride> materials; ///< after those of the scene file
 };
-/// Reads TOML with the keys width, height, time, lights = [SPEC…], [camera] and [settings]; throws Error(input).
+/// Reads TOML with the keys width, height, time, lights = [SPEC…], [camera], [settings] and [[material]]; throws
+/// Error(input).
 [[nodiscard]] FrameConfig parse_frame_config(std::string_view text, const std::filesystem::path& file);
 
-/// `name` against a pattern of *, ? and plain characters.
-[[nodiscard]] bool matches_pattern(std::string_view pattern, std::string_view name);
-
-/// Writes the fields that are set into a material.
-void apply(const MaterialOverride& o, Material& material);
+/// A file for --config: settings, in its [settings] table or at top level, and [[material]] tables. Throws as above.
+[[nodiscard]] FrameConfig read_settings_file(const std::filesystem::path& file);
+/// The settings alone, from memory; `file` names it in messages.
+[[nodiscard]] std::vector<SettingText> parse_settings(std::string_view text, const std::filesystem::path& file);
 
 } // namespace atrium

@@ -10,6 +10,12 @@ vec3 srgb_decoded(vec3 c)
     return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), greaterThan(c, vec3(0.04045)));
 }
 
+/// The inverse.
+vec3 srgb_encoded(vec3 c)
+{
+    return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
+}
+
 /// Three 9-bit mantissas and a 5-bit exponent, 0 to 65408. Source: EXT_texture_shared_exponent.
 uint pack_rgb9e5(vec3 c)
 {

@@ -4,8 +4,9 @@
 #include "types.h"
 SHARED_BEGIN
 
-// What a triangle is textured with: the font's coverage, the buffers beside the picture.
-const uint ui_font = 0, ui_insets = 1;
+// What a triangle is textured with: the font's coverage, the buffers beside the picture, or a texture of the scene's,
+// its slot counted on.
+const uint ui_font = 0, ui_insets = 1, ui_textures = 2;
 
 struct UiVertex {
     vec2 position; // pixels from the window's upper left

@@ -1,6 +1,7 @@
 #version 460
 // The user interface's colours, sRGB-encoded as they stand.
 #extension GL_GOOGLE_include_directive : require
+#include "lib/color.glsl"
 #include "lib/pass.glsl"
 #include "lib/textures.glsl"
 #include "shared/ui.h"
@@ -12,10 +13,13 @@ layout(location = 0) in vec2 in_uv;
 layout(location = 1) in vec4 in_color;
 layout(location = 0) out vec4 out_color;
 
-void main()
+vec4 fetch(vec2 uv)
 {
-    vec4 texel = push.image == ui_insets
-                     ? vec4(textureLod(sampler2D(insets, samplers[sampler_linear_clamp]), in_uv, 0.0).rgb, 1.0)
-                     : textureLod(sampler2D(font, samplers[sampler_linear_clamp]), in_uv, 0.0);
-    out_color = in_color * texel;
+    if (push.image == ui_font) return textureLod(sampler2D(font, samplers[sampler_linear_clamp]), uv, 0.0);
+    if (push.image == ui_insets)
+        return vec4(textureLod(sampler2D(insets, samplers[sampler_linear_clamp]), uv, 0.0).rgb, 1.0);
+    uint slot = push.image - ui_textures; // of a colour: reading it decodes
+    return vec4(srgb_encoded(texture(sampler2D(textures[slot], samplers[sampler_material]), uv).rgb), 1.0);
 }
+
+void main() { out_color = in_color * fetch(in_uv); }

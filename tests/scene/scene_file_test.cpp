@@ -219,7 +219,7 @@ TEST_F(scene_file, settings_file_with_or_without_the_table)
 {
     const auto keys = [&](const std::string& text) {
         std::string out;
-        for (const SettingText& s : read_settings_file(write(text))) out += s.key + "=" + s.value + " ";
+        for (const SettingText& s : read_settings_file(write(text)).settings) out += s.key + "=" + s.value + " ";
         return out;
     };
     EXPECT_EQ(keys("[settings]\nao.radius = 1.0\ntonemap.operator = \"agx\"\n"), "ao.radius=1 tonemap.operator=agx ");
