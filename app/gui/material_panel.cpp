@@ -39,16 +39,15 @@ ImU32 encoded(const vec3& linear)
 }
 
 /// A square of the base colour.
-void draw_thumbnail(const Material& material, const MaterialFacts& facts, float side)
+void draw_thumbnail(const Material& material, const MaterialFacts& facts, ImVec2 from, float side)
 {
-    const ImVec2 from = ImGui::GetCursorScreenPos(), to{from.x + side, from.y + side};
+    const ImVec2 to{from.x + side, from.y + side};
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     if (facts.image) {
         draw.AddImage(ui_image(*facts.image), from, to, {0, 0}, {1, 1}, encoded(material.base_color));
     } else {
         draw.AddRectFilled(from, to, encoded(material.base_color));
     }
-    ImGui::Dummy({side, side});
 }
 
 std::string counts(const MaterialFacts& facts)
@@ -57,22 +56,22 @@ std::string counts(const MaterialFacts& facts)
                        grouped(facts.triangles), facts.textures.size(), facts.textures.size() == 1 ? "" : "s");
 }
 
-/// Thumbnail and name; the class under it.
+/// Thumbnail and name; the class under it. What is too long is cut, and whole in the tooltip.
 void draw_line(ViewModel& model, const MaterialFacts& facts, std::size_t index, float height)
 {
     const Material material = model.material(index);
-    const ImVec2 from = ImGui::GetCursorPos();
     const bool changed = !difference(model.scene_materials[index], material).values.empty();
-    if (ImGui::Selectable("##line", model.selected_material == index, 0, {0, height})) model.selected_material = index;
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    if (ImGui::Selectable("##line", model.selected_material == index, 0, {ImGui::GetContentRegionAvail().x, height}))
+        model.selected_material = index;
     tooltip(fmt::format("{}\n{}{}", material.name, counts(facts), changed ? "\nchanged" : "").c_str());
-    ImGui::SetCursorPos(from);
-    draw_thumbnail(material, facts, height);
-    ImGui::SameLine();
-    ImGui::BeginGroup();
-    ImGui::TextUnformatted(fmt::format("{}{}", material.name, changed ? " *" : "").c_str());
-    ImGui::TextDisabled("%s, %s triangles", to_string(material.cls), grouped(facts.triangles).c_str());
-    ImGui::EndGroup();
-    ImGui::SetCursorPos({from.x, from.y + height + ImGui::GetStyle().ItemSpacing.y});
+    draw_thumbnail(material, facts, from, height);
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const float x = from.x + height + ImGui::GetStyle().ItemSpacing.x;
+    const std::string name = material.name + (changed ? " *" : "");
+    const std::string size = fmt::format("{}, {} triangles", to_string(material.cls), grouped(facts.triangles));
+    draw.AddText({x, from.y}, ImGui::GetColorU32(ImGuiCol_Text), name.c_str());
+    draw.AddText({x, from.y + 0.5f * height}, ImGui::GetColorU32(ImGuiCol_TextDisabled), size.c_str());
 }
 
 void draw_materials(ViewModel& model, const SceneFacts& facts, MaterialTab& tab)

@@ -15,7 +15,7 @@ namespace {
 
 using test::HeadlessGui;
 
-constexpr Tab all_tabs[]{Tab::settings, Tab::lights, Tab::buffers, Tab::camera, Tab::costs, Tab::help};
+constexpr Tab all_tabs[]{Tab::settings, Tab::lights, Tab::buffers, Tab::camera, Tab::materials, Tab::costs, Tab::help};
 
 FrameFacts busy_frame()
 {
@@ -29,6 +29,11 @@ FrameFacts busy_frame()
     for (std::size_t i = 0; i < CostHistory::longest; ++i) facts.costs.add(cost);
     facts.heaps = {{true, 3'000'000'000, 9'000'000'000}, {false, 12, 9'000'000'000}};
     facts.triangles = 12'345'678;
+    facts.scene.materials.resize(40);
+    for (MaterialFacts& material : facts.scene.materials) {
+        material.triangles = 1'234'567;
+        material.textures = {{"base color", "a/rather/long/path/of/folders/to/the/texture.png", "rgba8_srgb"}};
+    }
     return facts;
 }
 
@@ -43,6 +48,9 @@ void fill(ViewModel& model, PanelState& state)
     for (std::string name : {"", "walk", "a path of a name that is longer than the panel is wide"})
         EXPECT_EQ(add_path(model.paths, name, Camera{}), std::nullopt);
     for (int i = 1; i < 20; ++i) static_cast<void>(add_key(model.paths["walk"], static_cast<float>(i), Camera{}));
+    model.scene_materials.resize(40);
+    for (Material& material : model.scene_materials)
+        material.name = "a_material_of_a_name_that_is_longer_than_the_panel";
     for (int i = 0; i < 40; ++i)
         state.keys.push_back({"Ctrl + Shift + drag", "move the selected light along the view", "move"});
 }
@@ -73,6 +81,7 @@ TEST_P(Sizes, every_tab_fits)
             for (std::size_t selected = 0; selected < 4; ++selected) { // each type of light
                 if (busy) model.selected = selected;
                 if (busy) state.camera = state.path.path = state.path.key = selected;
+                if (busy && selected > 0) model.selected_material = selected;
                 state.show = tab;
                 state.headings = Headings::open;
                 for (int frame = 0; frame < 4; ++frame) gui.frame(draw, false);
@@ -135,6 +144,7 @@ TEST(panels, clicks_anywhere_leave_a_scene_that_can_be_drawn)
     while (model.can_undo()) model.undo();
     EXPECT_TRUE(model.list.differing().empty());
     EXPECT_TRUE(model.lights.empty());
+    EXPECT_TRUE(model.materials.empty());
 }
 
 /// Presses at each height in turn and drags to the right, until `done`; then lets go.
