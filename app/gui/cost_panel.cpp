@@ -117,12 +117,8 @@ void draw_memory(const FrameFacts& facts)
     }
 }
 
-} // namespace
-
-void draw_cost_tab(const FrameFacts& facts, PanelState& state, std::size_t lights)
+void draw_frames(const FrameFacts& facts, PanelState& state)
 {
-    draw_scene_statistics(facts.scene, lights);
-    draw_memory(facts);
     if (facts.costs.frames().empty()) {
         ImGui::TextDisabled("No frame has been timed yet.");
         return;
@@ -139,6 +135,15 @@ void draw_cost_tab(const FrameFacts& facts, PanelState& state, std::size_t light
     if (ImGui::Button("save as trace")) state.save_costs = CostFile::trace;
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("For ui.perfetto.dev or chrome://tracing");
     draw_passes(last);
+}
+
+} // namespace
+
+void draw_cost_tab(const FrameFacts& facts, PanelState& state, std::size_t lights)
+{
+    draw_memory(facts);
+    draw_frames(facts, state);
+    draw_scene_statistics(facts.scene, lights);
 }
 
 } // namespace atrium::gui

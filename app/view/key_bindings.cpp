@@ -157,6 +157,7 @@ std::vector<gui::KeyHelp> KeyBindings::help() const
 {
     std::vector<gui::KeyHelp> out{
         {"Drag", "turn the view", ""},
+        {"Click", "with the tab Materials open: select the material", ""},
         {"Wheel", "speed", ""},
         {"Shift", "faster", ""},
         {"Ctrl+drag", "move the selected light (Shift: along the view)", ""},

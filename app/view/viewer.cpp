@@ -324,8 +324,9 @@ void Viewer::pick_material(uvec2 pixels)
     const float moved = std::sqrt(io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left]);
     if (!show_gui_ || !panels_.materials.open || io.WantCaptureMouse) return;
     if (!ImGui::IsMouseReleased(ImGuiMouseButton_Left) || moved > slip * gui_.scale()) return;
+    const vec2 mouse(io.MousePos.x, io.MousePos.y);
     try {
-        model_.selected_material = material_at(engine_, wanted_picture(pixels), uvec2(io.MousePos.x, io.MousePos.y));
+        model_.selected_material = material_at(engine_, wanted_picture(pixels), uvec2(glm::max(mouse, vec2(0))));
         panels_.materials.filter.clear();
         panels_.materials.scroll = true;
     } catch (const Error& error) {

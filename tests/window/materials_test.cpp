@@ -25,6 +25,16 @@ protected:
         ViewedProgram::SetUpTestSuite();
         start(hero());
     }
+    /// change(), of what may take a while to begin: the first pick makes pipelines.
+    template <class F>
+    static double late_change(F&& act)
+    {
+        const Image8 before = scene();
+        act();
+        for (int i = 0; i < 100 && mean_difference(before, scene()) == 0; ++i) std::this_thread::sleep_for(100ms);
+        EXPECT_TRUE(settle());
+        return mean_difference(before, scene());
+    }
 };
 
 TEST_F(Materials, are_picked_by_a_click_changed_undone_and_drawn_again)
@@ -33,14 +43,14 @@ TEST_F(Materials, are_picked_by_a_click_changed_undone_and_drawn_again)
     desktop->click(window, materials);
     ASSERT_TRUE(settle());
     const Image8 unmarked = scene();
-    EXPECT_GT(change([&] { desktop->click(window, floor); }), 0.02); // the line around it
+    EXPECT_GT(late_change([&] { desktop->click(window, floor); }), 0.02); // the line around it
     desktop->move(window, nothing);
     ASSERT_TRUE(settle());
     picture("window-materials");
 
     const Image8 start = scene();
-    const ivec2 red_from{60, 476}, red_to{20, 476};
-    EXPECT_GT(change([&] { desktop->drag(window, red_from, red_to); }), 0.5);
+    const ivec2 red_from{95, 490}, red_to{30, 490};
+    EXPECT_GT(late_change([&] { desktop->drag(window, red_from, red_to); }), 0.02);
     desktop->tap("F12");
     const fs::path shot = folder / "atrium.0000.png", again = folder / "again.png";
     for (int i = 0; i < 100 && !fs::exists(shot); ++i) std::this_thread::sleep_for(100ms);
@@ -52,10 +62,9 @@ TEST_F(Materials, are_picked_by_a_click_changed_undone_and_drawn_again)
     EXPECT_TRUE(bytes_of(shot) == bytes_of(again));
     EXPECT_NE(bytes_of(shot).find("[[material]]"), std::string::npos);
 
-    EXPECT_GT(change([] { desktop->tap("z", "Control_L"); }), 0.5);
+    EXPECT_GT(late_change([] { desktop->tap("z", "Control_L"); }), 0.02);
     EXPECT_EQ(mean_difference(start, scene()), 0);
-    desktop->click(window, {284, 140}); // another tab: the line goes
-    ASSERT_TRUE(settle());
+    EXPECT_GT(late_change([] { desktop->click(window, {289, 194}); }), 0.02); // another tab, below the message
     EXPECT_EQ(mean_difference(unmarked, scene()), 0);
 }
 
