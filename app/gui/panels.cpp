@@ -112,19 +112,25 @@ void draw_help_tab(const PanelState& state)
     ImGui::EndTable();
 }
 
+/// Two style variables with which the names of all tabs stand side by side uncut.
+void push_narrow_tabs(float scale)
+{
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {2.5f * scale, ImGui::GetStyle().FramePadding.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, {scale, ImGui::GetStyle().ItemInnerSpacing.y});
+}
+
 void draw_tabs(ViewModel& model, const FrameFacts& facts, PanelState& state)
 {
-    const ImVec2 narrow(4.0f * state.scale, ImGui::GetStyle().FramePadding.y); // else six names are cut off
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, narrow);
+    push_narrow_tabs(state.scale);
     const bool open = ImGui::BeginTabBar("tabs");
-    ImGui::PopStyleVar();
+    ImGui::PopStyleVar(2);
     if (!open) return;
     const auto wanted = std::exchange(state.show, std::nullopt);
     const auto tab = [&](Tab which, const char* name, const auto& draw) {
         const ImGuiTabItemFlags flags = wanted == which ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None;
-        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, narrow);
+        push_narrow_tabs(state.scale);
         const bool shown = ImGui::BeginTabItem(name, nullptr, flags);
-        ImGui::PopStyleVar();
+        ImGui::PopStyleVar(2);
         if (!shown) return;
         if (ImGui::BeginChild("tab")) draw();
         ImGui::EndChild();

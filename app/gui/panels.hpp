@@ -78,7 +78,7 @@ struct PanelState {
     Headings headings = Headings::as_they_are; ///< of the settings, in the next frame that shows them
 };
 
-inline constexpr float panel_width = 360; ///< pixels at scale 1, where the display has as many
+inline constexpr float panel_width = 372; ///< pixels at scale 1, where the display has as many
 
 /// Draws them all. At most panel_width x scale pixels wide and within the display. Completes edits: checkpoint() where
 /// nothing is being dragged or typed.

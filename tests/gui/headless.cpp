@@ -6,6 +6,8 @@
 #include <imgui/imgui.h>
 #include <imgui/imgui_internal.h>
 
+#include <algorithm>
+
 namespace atrium::test {
 
 HeadlessGui::HeadlessGui(float width, float height, float scale)
@@ -82,6 +84,12 @@ std::vector<std::string> HeadlessGui::cut_off() const
         if (w->InnerRect.GetHeight() < ImGui::GetFontSize()) out.push_back(fmt::format("{} has no height", w->Name));
     }
     return out;
+}
+
+float HeadlessGui::lacking_tab_width() const
+{
+    const ImGuiTabBar& bar = *ImGui::GetCurrentContext()->TabBars.GetByIndex(0);
+    return std::max(bar.WidthAllTabsIdeal - bar.BarRect.GetWidth(), 0.0f);
 }
 
 int HeadlessGui::vertices() const

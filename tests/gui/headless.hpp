@@ -26,6 +26,8 @@ public:
 
     /// Windows of the last frame that are cut off: outside the display, or narrower than what they hold.
     [[nodiscard]] std::vector<std::string> cut_off() const;
+    /// Pixels that the tabs of the last frame lack to show their names whole.
+    [[nodiscard]] float lacking_tab_width() const;
     /// How many vertices the last frame had.
     [[nodiscard]] int vertices() const;
 };

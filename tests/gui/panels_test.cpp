@@ -95,7 +95,19 @@ TEST_P(Sizes, every_tab_fits)
     }
 }
 
-TEST(panels, at_most_360_pixels_wide)
+TEST(panels, tabs_show_their_names_whole)
+{
+    for (const float scale : {1.0f, 1.25f, 1.5f, 1.75f, 2.0f}) {
+        const HeadlessGui gui(800 * scale, 600 * scale, scale);
+        ViewModel model;
+        PanelState state;
+        state.scale = scale;
+        for (int frame = 0; frame < 2; ++frame) gui.frame([&] { draw_panels(model, FrameFacts{}, state); }, false);
+        EXPECT_EQ(gui.lacking_tab_width(), 0) << scale;
+    }
+}
+
+TEST(panels, no_wider_than_said)
 {
     const HeadlessGui gui(800, 600);
     ViewModel model;
@@ -111,7 +123,7 @@ TEST(panels, at_most_360_pixels_wide)
             ImGui::End();
         },
         false);
-    EXPECT_LE(after.x - before.x, 360.0f);
+    EXPECT_LE(after.x - before.x, panel_width);
     EXPECT_GE(before.x, 0.0f);
     EXPECT_LE(after.y, 600.0f);
 }
@@ -129,7 +141,7 @@ TEST(panels, clicks_anywhere_leave_a_scene_that_can_be_drawn)
     for (const Tab tab : all_tabs) {
         state.headings = Headings::open;
         for (float y = 150; y < 590; y += 17) {
-            for (float x = 16; x < 360; x += 29) {
+            for (float x = 16; x < panel_width; x += 29) {
                 state.show = tab;
                 gui.click(x, y, draw, false);
             }
