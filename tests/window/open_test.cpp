@@ -1,5 +1,6 @@
 // Other scenes, dropped on the window or chosen in its dialog.
 
+#include "tests/window/tabs.hpp"
 #include "tests/window/viewed.hpp"
 
 #include <string>
@@ -115,7 +116,7 @@ TEST_F(OpenedScenes, a_path_is_typed_and_completed)
 TEST_F(OpenedScenes, each_begins_anew_and_keeps_its_bookmarks)
 {
     static_cast<void>(back_in_the_court());
-    desktop->click(window, {220, 140}); // the tab of the camera
+    desktop->click(window, tabs::camera);
     ASSERT_TRUE(settle());
     desktop->click(window, {158, 342}); // the name of a new bookmark
     desktop->tap("b");

@@ -21,11 +21,7 @@ protected:
         options.insert(options.end(), {"--shaders", copy.string()});
         start(options);
     }
-    static std::string read(const std::string& shader)
-    {
-        std::ifstream in(folder / "shaders" / shader);
-        return {std::istreambuf_iterator<char>(in), {}};
-    }
+    static std::string read(const std::string& shader) { return bytes_of(folder / "shaders" / shader); }
     static void write(const std::string& shader, const std::string& text)
     {
         std::ofstream(folder / "shaders" / shader) << text;

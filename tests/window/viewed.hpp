@@ -148,6 +148,16 @@ protected:
         }
         return false;
     }
+    /// Whether a screenshot that is wished for appears, and `render` makes the same bytes of what it says.
+    static bool is_drawn_again(const fs::path& shot)
+    {
+        for (int i = 0; i < 100 && !fs::exists(shot); ++i) std::this_thread::sleep_for(100ms); // it appears whole
+        const fs::path again = folder / ("again" + shot.extension().string());
+        const std::string command = std::string(ATRIUM_BIN) + "/atrium render " +
+                                    (folder / "courtyard" / "courtyard.toml").string() + " --config " + shot.string() +
+                                    " -o " + again.string() + " --quiet";
+        return std::system(command.c_str()) == 0 && bytes_of(shot) == bytes_of(again);
+    }
     /// For scripts/pictures: what the window shows now is a picture in the documents.
     static void picture(const std::string& name)
     {
