@@ -3,6 +3,8 @@
 #include "app/gui/style.hpp"
 #include "app/gui/ui_image.hpp"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <imgui/backends/imgui_impl_glfw.h>
 #include <imgui/imgui.h>
 
@@ -35,15 +37,15 @@ void append(UiDraws& out, const ImDrawList& list, uvec2 pixels)
 
 } // namespace
 
-Gui::Gui(const Window& window, Engine& engine) : window_(window), engine_(engine)
+Gui::Gui(Window& window, Engine& engine) : window_(window), engine_(engine)
 {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr; // the program keeps its own state
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
-    // After the window's own callbacks, which it calls on.
-    ImGui_ImplGlfw_InitForVulkan(window.handle(), true);
+    constexpr bool listens = false; // the window does
+    ImGui_ImplGlfw_InitForVulkan(window.handle(), listens);
     set_scale(window.scale());
 }
 
@@ -72,13 +74,40 @@ void Gui::set_scale(float scale)
     io.Fonts->SetTexID(gui::ui_image(shared::ui_font));
 }
 
-void Gui::begin(uvec2 pixels)
+std::vector<KeyPress> Gui::take_input()
+{
+    ImGuiIO& io = ImGui::GetIO();
+    std::vector<KeyPress> presses;
+    for (const InputEvent& event : window_.input().take_frame()) {
+        if (const auto* move = std::get_if<MouseMove>(&event)) {
+            mouse_ = move->at;
+        } else if (const auto* button = std::get_if<MouseButton>(&event)) {
+            buttons_.set(static_cast<std::size_t>(button->button), button->down);
+        } else if (const auto* wheel = std::get_if<MouseWheel>(&event)) {
+            io.MouseWheelH += wheel->by.x;
+            io.MouseWheel += wheel->by.y;
+        } else if (const auto* text = std::get_if<TextInput>(&event)) {
+            io.AddInputCharacter(text->character);
+        } else if (const auto* key = std::get_if<KeyChange>(&event)) {
+            ImGui_ImplGlfw_KeyCallback(window_.handle(), key->key, key->scancode, key->action, key->mods);
+            if (key->action == GLFW_PRESS) presses.push_back({key->key, key->mods});
+        }
+    }
+    // In place of where and how the mouse is by now.
+    io.MousePos = {mouse_.x, mouse_.y};
+    for (std::size_t i = 0; i < std::size(io.MouseDown); ++i) io.MouseDown[i] = buttons_[i];
+    return presses;
+}
+
+std::vector<KeyPress> Gui::begin(uvec2 pixels)
 {
     if (window_.scale() != scale_) set_scale(window_.scale());
     ImGui_ImplGlfw_NewFrame();
+    std::vector<KeyPress> presses = take_input();
     ImGui::GetIO().DisplaySize = {static_cast<float>(pixels.x), static_cast<float>(pixels.y)};
     ImGui::GetIO().DisplayFramebufferScale = {1, 1};
     ImGui::NewFrame();
+    return presses;
 }
 
 UiDraws Gui::end()

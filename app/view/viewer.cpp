@@ -156,8 +156,7 @@ void Viewer::run()
         if (pixels.x == 0) continue; // minimised
         if (!busy && unsettled == 0) continue;
 
-        gui_.begin(pixels);
-        handle_keys(pixels);
+        handle_keys(gui_.begin(pixels), pixels);
         const bool on_handle = show_gui_ && handles_.update(model_, gui_.scale());
         moving = fly(passed, on_handle);
         if (!on_handle) pick_material(pixels);
@@ -169,7 +168,7 @@ void Viewer::run()
         const ShowResult shown = engine_.show(interface, divider);
         facts_.interface_ms += shown.interface_ms;
         facts_.picture_ms = shown.picture_ms;
-        if (!shown.done) unsettled = settle_frames;
+        if (!shown.done || !window_.input().empty()) unsettled = settle_frames;
         if (!seen) window_.show(); // with the first picture in it
         seen = true;
         if (std::exchange(new_scene_, false)) window_.set_title("Atrium: " + model_.scene_name);
@@ -237,9 +236,9 @@ bool Viewer::unfinished() const
     return kept_[0].share < 1 || (model_.split && kept_[1].share < 1);
 }
 
-void Viewer::handle_keys(uvec2 pixels)
+void Viewer::handle_keys(const std::vector<KeyPress>& presses, uvec2 pixels)
 {
-    for (const KeyPress& press : window_.take_presses()) {
+    for (const KeyPress& press : presses) {
         if (ImGui::GetIO().WantTextInput) continue;
         if (const gui::SettingStep* step = keys_.step_of(press)) {
             gui::take_step(model_.list, *step);

@@ -74,7 +74,7 @@ private:
     [[nodiscard]] bool fly(double seconds, bool on_handle);
     /// The selected light follows the mouse: in the view's plane, or (`along`) nearer and farther.
     void drag_light(vec2 pixels, bool along);
-    void handle_keys(uvec2 pixels);
+    void handle_keys(const std::vector<KeyPress>& presses, uvec2 pixels);
     void act(Action action, uvec2 pixels);
     /// The window's pixels, made ready to be drawn to; tells where it lacks a mode that is wanted.
     [[nodiscard]] uvec2 prepare_window();

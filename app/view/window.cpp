@@ -13,6 +13,8 @@
 namespace atrium::app {
 namespace {
 
+constexpr float outside = -1e6f; ///< where no widget is
+
 /// What GLFW said last; its own words are the best there are.
 std::string last_error()
 {
@@ -78,14 +80,20 @@ Window::~Window()
 
 void Window::listen()
 {
-    glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {
-        on_event(self(w));
-        if (action == GLFW_PRESS) self(w).presses_.push_back({key, mods});
+    glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
+        self(w).on_input(KeyChange{key, scancode, action, mods});
     });
-    glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { on_event(self(w)); });
-    glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { on_event(self(w)); });
-    glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { on_event(self(w)); });
-    glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double) { on_event(self(w)); });
+    glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned character) { self(w).on_input(TextInput{character}); });
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int) {
+        self(w).on_input(MouseButton{button, action == GLFW_PRESS});
+    });
+    glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
+        self(w).on_input(MouseMove{vec2(x, y) * self(w).pixels_per_coordinate()});
+    });
+    glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int entered) {
+        if (!entered) self(w).on_input(MouseMove{vec2(outside)});
+    });
+    glfwSetScrollCallback(window_, [](GLFWwindow* w, double x, double y) { self(w).on_input(MouseWheel{vec2(x, y)}); });
     glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** files) {
         on_event(self(w));
         if (count > 0) self(w).dropped_ = files[0];
@@ -113,6 +121,20 @@ gpu::WindowSystem Window::window_system() const
         return surface;
     };
     return out;
+}
+
+void Window::on_input(const InputEvent& event)
+{
+    on_event(*this);
+    input_.push(event);
+}
+
+vec2 Window::pixels_per_coordinate() const
+{
+    ivec2 size, framebuffer;
+    glfwGetWindowSize(window_, &size.x, &size.y);
+    glfwGetFramebufferSize(window_, &framebuffer.x, &framebuffer.y);
+    return vec2(framebuffer) / vec2(glm::max(size, ivec2(1)));
 }
 
 bool Window::poll(double seconds)
@@ -177,11 +199,6 @@ void Window::toggle_full_screen()
     if (!monitor) return;
     const GLFWvidmode* mode = glfwGetVideoMode(monitor);
     glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
-}
-
-std::vector<KeyPress> Window::take_presses()
-{
-    return std::exchange(presses_, {});
 }
 
 std::optional<std::filesystem::path> Window::take_dropped()

@@ -1,6 +1,7 @@
 #pragma once
 // A window of the desktop's: its size, its events, the keys held down, what was dropped on it.
 
+#include "app/view/input_queue.hpp"
 #include "renderer/core/math.hpp"
 #include "renderer/gpu/swapchain.hpp"
 
@@ -48,8 +49,8 @@ public:
     void set_title(const std::string& title);
     void toggle_full_screen();
 
-    /// Keys since the last call.
-    [[nodiscard]] std::vector<KeyPress> take_presses();
+    /// What keyboard and mouse did that nobody has taken yet.
+    [[nodiscard]] InputQueue& input() { return input_; }
     /// Now, or since this was last asked.
     [[nodiscard]] bool held(int key) const;
     /// The file dropped on it since the last call; the first of several.
@@ -57,11 +58,14 @@ public:
 
 private:
     static void on_event(Window& window) { window.events_ = true; }
+    void on_input(const InputEvent& event);
+    /// Not 1 where the desktop counts the mouse in units of several pixels, as Wayland does at high density.
+    [[nodiscard]] vec2 pixels_per_coordinate() const;
     void listen();
     GLFWwindow* window_ = nullptr;
     bool events_ = false;
     WindowPlace windowed_; ///< before full screen
-    std::vector<KeyPress> presses_;
+    InputQueue input_;
     std::optional<std::filesystem::path> dropped_;
 };
 
