@@ -15,7 +15,7 @@
 namespace atrium::gui {
 namespace {
 
-void draw_head(ViewModel& model, const FrameFacts& facts, PanelState& state)
+void draw_head(ViewModel& model, const FrameFacts& facts)
 {
     if (!model.scene_name.empty()) wrapped(model.scene_name);
     const std::deque<FrameCost>& frames = facts.costs.frames();
@@ -32,12 +32,28 @@ void draw_head(ViewModel& model, const FrameFacts& facts, PanelState& state)
     ImGui::BeginDisabled(!model.can_redo());
     if (ImGui::Button("Redo")) model.redo();
     ImGui::EndDisabled();
+}
 
-    if (state.message.empty()) return;
-    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_PlotHistogramHovered));
-    wrapped(state.message);
-    ImGui::PopStyleColor();
-    if (ImGui::SmallButton("Put away")) state.message.clear();
+/// Pixels that the message needs at the foot of the panel: at the top, it would push away what is about to be clicked.
+float message_height(const PanelState& state)
+{
+    if (state.message.empty()) return 0;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float width = ImGui::GetContentRegionAvail().x - 2 * style.WindowPadding.x - style.ScrollbarSize;
+    const float text = ImGui::CalcTextSize(state.message.c_str(), nullptr, false, width).y;
+    const float all = text + ImGui::GetFrameHeight() + style.ItemSpacing.y + 2 * style.WindowPadding.y;
+    return std::min(all, 0.5f * ImGui::GetContentRegionAvail().y);
+}
+
+void draw_message(PanelState& state)
+{
+    if (ImGui::BeginChild("message", {0, 0}, true)) {
+        ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_PlotHistogramHovered));
+        wrapped(state.message);
+        ImGui::PopStyleColor();
+        if (ImGui::SmallButton("Put away")) state.message.clear();
+    }
+    ImGui::EndChild();
 }
 
 void apply_preset(ViewModel& model, PanelState& state, const std::string& name)
@@ -119,7 +135,8 @@ void push_narrow_tabs(float scale)
     ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, {scale, ImGui::GetStyle().ItemInnerSpacing.y});
 }
 
-void draw_tabs(ViewModel& model, const FrameFacts& facts, PanelState& state)
+/// `foot`: pixels that stay free below them.
+void draw_tabs(ViewModel& model, const FrameFacts& facts, PanelState& state, float foot)
 {
     push_narrow_tabs(state.scale);
     const bool open = ImGui::BeginTabBar("tabs");
@@ -132,7 +149,7 @@ void draw_tabs(ViewModel& model, const FrameFacts& facts, PanelState& state)
         const bool shown = ImGui::BeginTabItem(name, nullptr, flags);
         ImGui::PopStyleVar(2);
         if (!shown) return;
-        if (ImGui::BeginChild("tab")) draw();
+        if (ImGui::BeginChild("tab", {0, -foot})) draw();
         ImGui::EndChild();
         ImGui::EndTabItem();
     };
@@ -162,8 +179,10 @@ void draw_panels(ViewModel& model, const FrameFacts& facts, PanelState& state)
     constexpr ImGuiWindowFlags flags =
         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings;
     if (ImGui::Begin("Atrium", nullptr, flags)) {
-        draw_head(model, facts, state);
-        draw_tabs(model, facts, state);
+        draw_head(model, facts);
+        const float foot = message_height(state);
+        draw_tabs(model, facts, state, foot > 0 ? foot + ImGui::GetStyle().ItemSpacing.y : 0);
+        if (foot > 0) draw_message(state);
     }
     ImGui::End();
     if (!ImGui::IsAnyItemActive() && !state.dragging) model.checkpoint();

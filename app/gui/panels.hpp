@@ -63,7 +63,7 @@ enum class Tab { settings, lights, buffers, camera, materials, costs, help };
 struct PanelState {
     float scale = 1;                             ///< of everything, as apply_style() was given
     std::vector<KeyHelp> keys;                   ///< the help
-    std::string message;                         ///< shown on top until it is put away: what was refused, and why
+    std::string message;                         ///< shown at the foot until it is put away: what was refused, and why
     std::optional<Tab> show;                     ///< turn to this tab in the next frame
     std::string filter;                          ///< of the settings
     std::string buffer_filter;                   ///< of the list of buffers

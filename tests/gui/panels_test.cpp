@@ -194,6 +194,27 @@ TEST(panels, a_drag_is_one_step_to_undo)
     EXPECT_FALSE(model.can_undo());
 }
 
+TEST(panels, a_message_moves_nothing_that_is_about_to_be_clicked)
+{
+    /// Whether a click there goes into the search box, below a message of so many words.
+    const auto searches_at = [](float y, int words) {
+        const HeadlessGui gui(800, 600);
+        ViewModel model;
+        PanelState state;
+        for (int i = 0; i < words; ++i) state.message += "word ";
+        const auto draw = [&] { draw_panels(model, FrameFacts{}, state); };
+        for (int frame = 0; frame < 3; ++frame) gui.frame(draw, false);
+        EXPECT_EQ(gui.cut_off(), std::vector<std::string>{}) << words;
+        gui.click(100, y, draw, false);
+        gui.type("ao");
+        gui.frame(draw, false);
+        return state.filter == "ao";
+    };
+    float y = 40;
+    while (y < 300 && !searches_at(y, 0)) y += 4;
+    for (const int words : {5, 100, 2000}) EXPECT_TRUE(searches_at(y, words)) << words;
+}
+
 TEST(panels, an_edit_that_breaks_a_rule_of_lights_is_refused_and_said)
 {
     const HeadlessGui gui(800, 600);

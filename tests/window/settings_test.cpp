@@ -37,11 +37,9 @@ TEST_F(ChangedSettings, by_switches_choices_and_sliders)
     };
     constexpr ivec2 on_off{163, widget}, choice{240, widget}, first{240, widget + 28}, middle{240, widget},
         end{320, widget};
-    for (const Case& c :
-         {Case{"normal_mapping", {on_off}, 0.02}, Case{"ambient.intensity", {end}, 3},
-          Case{"ao.method", {choice, first}, 0.3}, Case{"ao.radius", {end}, 0.1}, Case{"shadow.softness", {end}, 0.1},
-          Case{"shadow.filter", {choice, first}, 0.3}, Case{"exposure.ev100", {middle - ivec2(20, 0)}, 10},
-          Case{"tonemap.operator", {choice, first}, 3}, Case{"debug.wireframe", {on_off}, 3}}) {
+    for (const Case& c : {Case{"normal_mapping", {on_off}, 0.02}, Case{"ao.method", {choice, first}, 0.3},
+                          Case{"shadow.softness", {end}, 0.1}, Case{"exposure.ev100", {middle - ivec2(20, 0)}, 10},
+                          Case{"tonemap.operator", {choice, first}, 3}, Case{"debug.wireframe", {on_off}, 3}}) {
         seek(c.key);
         const Image8 before = scene();
         EXPECT_GT(change([&] {
@@ -59,10 +57,15 @@ TEST_F(ChangedSettings, by_switches_choices_and_sliders)
 TEST_F(ChangedSettings, a_preset_is_saved_and_loaded_again)
 {
     const Image8 start = scene();
-    EXPECT_GT(change([] { desktop->click(window, low); }), 0.3);
+    EXPECT_GT(change([] {
+                  desktop->click(window, low);
+                  desktop->move(window, beside);
+              }),
+              0.3);
     EXPECT_GT(change([] { desktop->tap("n"); }), 0.02);
     const Image8 kept = scene();
     desktop->click(window, save);
+    desktop->move(window, beside);
     ASSERT_TRUE(settle());
     ASSERT_TRUE(fs::exists(folder / "settings.toml"));
     EXPECT_NE(bytes_of(folder / "settings.toml").find("normal_mapping = \"off\""), std::string::npos);
@@ -72,7 +75,11 @@ TEST_F(ChangedSettings, a_preset_is_saved_and_loaded_again)
               }),
               0.3);
     EXPECT_EQ(mean_difference(start, scene()), 0);
-    EXPECT_GT(change([] { desktop->click(window, load); }), 0.3);
+    EXPECT_GT(change([] {
+                  desktop->click(window, load);
+                  desktop->move(window, beside);
+              }),
+              0.3);
     EXPECT_EQ(mean_difference(kept, scene()), 0);
 }
 

@@ -156,7 +156,6 @@ TEST_F(Viewed, a_camera_path_is_made_played_and_saved)
                                 "/atrium render scene.toml --path path0 --frames 2 --size 32x18 -o w.#.png --quiet";
     EXPECT_EQ(std::system(command.c_str()), 0);
     EXPECT_TRUE(fs::exists(folder / "w.1.png"));
-    click({52, 170}); // puts the message away, of two lines
     click({290, remove});
     click(hero);
     desktop->resize(window, window_size);
@@ -328,11 +327,9 @@ TEST_F(Viewed, writes_what_frames_cost)
         desktop->click(window, at);
         EXPECT_TRUE(settle());
     };
-    click({52, 170}); // puts the screenshot's message away, of two lines
     click(tabs::costs);
     picture("window-costs");
     click({65, 345});  // save as JSON
-    click({52, 156});  // its message, of one
     click({165, 345}); // save as trace
     for (const char* name : {"atrium.0000.costs.json", "atrium.0000.trace.json"}) {
         EXPECT_NE(bytes_of(folder / name).find("gbuffer"), std::string::npos) << name;
