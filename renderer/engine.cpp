@@ -107,11 +107,11 @@ const gpu::Buffer& read_back(graph::Graph& g, Readbacks& readbacks, const DrawLi
     return read_back(g, readbacks, draws.commands, draws.count * sizeof(shared::DrawCommand), "draws");
 }
 
-BufferFacts facts_of(std::span<const std::byte> bytes)
+BufferFacts facts_of(std::span<const std::byte> bytes, const ShownBuffer& shown)
 {
     shared::BufferStatistics s{};
     std::memcpy(&s, bytes.data(), sizeof(s));
-    return {s.low, s.sum / static_cast<float>(s.count), s.high, s.range, s.count};
+    return {s.low, s.sum / static_cast<float>(s.count), s.high, s.range, shown.mode, s.count, shown.absent};
 }
 
 /// Values of a buffer that is shown, left where the CPU reads them.
@@ -263,6 +263,13 @@ void Engine::set_frame_constants(const FrameRequest& request)
 
 namespace {
 
+std::vector<graph::ResourceIndex> indices_of(const GraphImages& images)
+{
+    std::vector<graph::ResourceIndex> out;
+    for (const auto& [name, image] : images) out.push_back(image.index);
+    return out;
+}
+
 /// What the commands that the GPU left after culling draw.
 void count_draws(std::span<const std::byte> bytes, const GpuScene& scene, FrameResult& result)
 {
@@ -343,7 +350,8 @@ FrameResult Engine::draw(const FrameRequest& request)
                                order_lights(request.lights),
                                s.device.report().optional.lines,
                                request.insets,
-                               request.outlined};
+                               request.outlined,
+                               request.keep_picture.has_value()}; // in a window, what is shown outlives techniques
     const Frame frame = build_frame(g, *s.renderer, context, request.aovs);
 
     s.readbacks.begin();
@@ -358,7 +366,7 @@ FrameResult Engine::draw(const FrameRequest& request)
     if (request.want_picture) picture = &read_back(g, s.readbacks, frame.picture, "picture");
     if (request.want_hdr) hdr = &read_back(g, s.readbacks, frame.hdr, "hdr");
     for (std::size_t i = 0; i < frame.aovs.size(); ++i) {
-        aovs.push_back(&read_back(g, s.readbacks, frame.aovs[i], fmt::format("aov.{}", i)));
+        aovs.push_back(&read_back(g, s.readbacks, frame.aovs[i].values, fmt::format("aov.{}", i)));
     }
     if (request.want_statistics && s.scene->tasks().count > 0) {
         for (const DrawList& draws : frame.draws) commands.push_back(&read_back(g, s.readbacks, draws));
@@ -368,6 +376,7 @@ FrameResult Engine::draw(const FrameRequest& request)
     const double built_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     result.stats = s.runner.run(g, request.timers);
     result.record_ms = built_ms + result.stats.cpu_ms;
+    if (request.want_graph) result.graph = make_graph_facts(g, s.runner, result.stats, indices_of(frame.images));
 
     const auto bytes_in = [](const gpu::Buffer& buffer) {
         buffer.invalidate();
@@ -377,9 +386,11 @@ FrameResult Engine::draw(const FrameRequest& request)
     if (picture) result.picture = to_picture(bytes_in(*picture), g.desc(frame.picture));
     if (hdr) result.hdr = to_image(bytes_in(*hdr), g.desc(frame.hdr), 3, unexpose);
     for (std::size_t i = 0; i < aovs.size(); ++i) {
-        result.aovs.push_back(to_image(bytes_in(*aovs[i]), g.desc(frame.aovs[i]), request.aovs[i].info->channels, 1));
+        const AovImage& aov = frame.aovs[i];
+        result.aovs.push_back(to_image(bytes_in(*aovs[i]), g.desc(aov.values), aov.info->channels, 1));
     }
-    for (const gpu::Buffer* b : statistics) result.buffers.push_back(facts_of(bytes_in(*b)));
+    for (std::size_t i = 0; i < statistics.size(); ++i)
+        result.buffers.push_back(facts_of(bytes_in(*statistics[i]), frame.shown[i]));
     for (const KeptBuffer& kept : s.kept_buffers) kept.values->invalidate();
     for (const gpu::Buffer* list : commands) count_draws(bytes_in(*list), *s.scene, result);
     return result;

@@ -5,6 +5,7 @@
 #include "renderer/frame.hpp"
 #include "renderer/gpu/swapchain.hpp"
 #include "renderer/graph/runner.hpp"
+#include "renderer/graph_facts.hpp"
 #include "renderer/scene/camera.hpp"
 #include "renderer/scene/light.hpp"
 #include "renderer/settings.hpp"
@@ -48,6 +49,7 @@ struct FrameRequest {
     std::optional<PictureSlot> keep_picture; ///< on the device, for show(); the insets too
     Insets insets;                           ///< at most max_insets
     bool keep_buffers = false;               ///< values of the buffers shown, for buffer_value()
+    bool want_graph = false;                 ///< what the graph was
     bool want_statistics = false;            ///< triangles and material changes, read back from the device
     /// Begin with what the frame before saw: faster while cameras move little. Where surfaces lie at the same depth, it
     /// can then depend on the frame before which of them is seen.
@@ -61,6 +63,7 @@ struct FrameResult {
     std::vector<ImageF> aovs;
     std::vector<BufferFacts> buffers; ///< shown: the one in place of the picture, if any, then the insets
     graph::RunStats stats;
+    GraphFacts graph;
     double record_ms = 0;               ///< CPU time to build, plan and record the frame
     std::uint64_t triangles = 0;        ///< drawn after culling
     std::uint32_t material_changes = 0; ///< between neighbouring visible draws

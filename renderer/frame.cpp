@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace atrium {
 namespace {
 
@@ -61,7 +63,8 @@ public:
 
 BufferLook look_of(const AovInfo& info, float scene_size)
 {
-    if (info.low != info.high) return {info.channels, info.view_mode, info.low, info.high};
+    if (info.low != info.high || info.source == AovSource::graph)
+        return {info.channels, info.view_mode, info.low, info.high};
     return info.channels == 3 ? BufferLook{info.channels, info.view_mode, -0.5f * scene_size, 0.5f * scene_size}
                               : BufferLook{info.channels, info.view_mode, 0, scene_size};
 }
@@ -70,11 +73,11 @@ BufferLook look_of(const AovInfo& info, float scene_size)
 ShownBuffer show_buffer(graph::Graph& g, const Inset& buffer, const SceneImages& scene, const FrameContext& frame,
                         graph::Tex picture, const PictureArea& area, graph::Load load, const std::string& pass)
 {
-    const BufferLook look = look_of(*buffer.aov.info, frame.scene.bounds().diagonal());
-    const graph::Tex values = add_aov(g, buffer.aov, scene.aov_inputs, exposure_scale(frame.settings.exposure));
-    const graph::Buf statistics = add_buffer_statistics(g, values, look, buffer.view, pass);
-    add_buffer_view(g, values, statistics, look, buffer.view, picture, area, load, pass);
-    return {values, statistics, look.channels};
+    const AovImage image = add_aov(g, buffer.aov, scene.aov_inputs, exposure_scale(frame.settings.exposure));
+    const BufferLook look = look_of(*image.info, frame.scene.bounds().diagonal());
+    const graph::Buf statistics = add_buffer_statistics(g, image.values, look, buffer.view, pass);
+    add_buffer_view(g, image.values, statistics, look, buffer.view, picture, area, load, pass);
+    return {image.values, statistics, look.channels, choose_view(look, buffer.view).mode, image.absent};
 }
 
 void add_insets(graph::Graph& g, const SceneImages& scene, const FrameContext& frame, Frame& out)
@@ -104,15 +107,16 @@ Frame build_frame(graph::Graph& g, const Renderer& renderer, const FrameContext&
 {
     const Settings& s = frame.settings;
     const float exposure = exposure_scale(s.exposure);
-    const SceneImages scene = renderer.add_passes(g, frame);
+    SceneImages scene = renderer.add_passes(g, frame);
 
     Frame out;
+    out.picture = add_tonemap(g, scene.hdr, s.tonemap); // dropped where a buffer takes its place
+    scene.aov_inputs.images = g.readable_images();
+    scene.aov_inputs.absent_images = frame.absent_images;
     out.hdr = scene.hdr;
     out.draws = scene.aov_inputs.draws;
     for (const Aov& aov : aovs) out.aovs.push_back(add_aov(g, aov, scene.aov_inputs, exposure));
-    if (s.debug.view.empty()) {
-        out.picture = add_tonemap(g, scene.hdr, s.tonemap);
-    } else {
+    if (!s.debug.view.empty()) {
         out.picture = g.texture("buffer_view", {gpu::Format::rgba8_srgb, frame.size.x, frame.size.y});
         const Inset whole{parse_aov(s.debug.view, frame.lights), s.buffer_view};
         out.shown.push_back(show_buffer(g, whole, scene, frame, out.picture, {uvec2(0), frame.size},
@@ -122,6 +126,7 @@ Frame build_frame(graph::Graph& g, const Renderer& renderer, const FrameContext&
     if (s.debug.wireframe && frame.can_draw_lines)
         add_wireframe(g, out.picture, scene.aov_inputs.gbuffer.depth, out.draws, frame.scene.geometry());
     if (frame.outlined) add_material_outline(g, scene.aov_inputs.gbuffer.id, out.picture, *frame.outlined);
+    out.images = std::move(scene.aov_inputs.images);
     return out;
 }
 

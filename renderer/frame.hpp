@@ -36,6 +36,7 @@ struct FrameContext {
     bool can_draw_lines = true; ///< gpu::OptionalFeatures::lines
     Insets insets;
     std::optional<std::uint32_t> outlined; ///< a material
+    bool absent_images = false; ///< AovInputs::absent_images
 };
 
 /// A scene turned into radiance, with the intermediate images that AOVs are made from.
@@ -58,6 +59,8 @@ struct ShownBuffer {
     graph::Tex values;     ///< R32F or RGBA32F
     graph::Buf statistics; ///< shared::BufferStatistics
     int channels = 1;      ///< of `values` that mean something
+    std::uint32_t mode;    ///< shared::view_…, as it is shown
+    bool absent;           ///< AovImage::absent
 };
 
 /// A frame's graph and those of its images that were asked for.
@@ -65,8 +68,9 @@ struct Frame {
     graph::Tex picture;             ///< RGBA8, sRGB-encoded
     graph::Tex hdr;                 ///< RGBA16F, radiance x exposure
     std::vector<DrawList> draws;    ///< into the G-buffer, one after the other
-    std::vector<graph::Tex> aovs;   ///< as asked, in order
+    std::vector<AovImage> aovs;     ///< as asked, in order
     std::vector<ShownBuffer> shown; ///< the one in place of the picture, if any, then the insets
+    GraphImages images;             ///< that can be shown
     graph::Tex insets;              ///< RGBA8, sRGB-encoded, side by side; none: there are none
 };
 

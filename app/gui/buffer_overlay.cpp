@@ -76,13 +76,12 @@ void draw_bar(const BufferFacts& facts, bool viridis, float width)
 }
 
 /// What the colours mean, and minimum, mean and maximum.
-void draw_legend(const AovInfo& info, const BufferViewSettings& view, const BufferFacts& facts, float width)
+void draw_legend(const BufferFacts& facts, float width)
 {
-    const bool by_index = info.view_mode == shared::view_index && view.colors == BufferColors::usual;
-    if (by_index)
+    if (facts.mode == shared::view_index)
         ImGui::TextDisabled("a colour for each index");
     else
-        draw_bar(facts, view.colors == BufferColors::viridis, width);
+        draw_bar(facts, facts.mode == shared::view_viridis, width);
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
     draw_thirds({"min", "mean", "max"}, width);
     ImGui::PopStyleColor();
@@ -123,6 +122,16 @@ const BufferFacts& facts_of(const FrameFacts& facts, std::size_t buffer, const s
     return buffer < facts.buffers.size() && facts.buffers[buffer].name == name ? facts.buffers[buffer].facts : none;
 }
 
+/// In place of an image that the frame does not have; `width`: that there is for it.
+void draw_absence(ImDrawList& list, ImVec2 centre, float width)
+{
+    constexpr const char* text = "Not in this frame: its technique is off, or no such image exists.";
+    const float wrap = 0.9f * width;
+    const ImVec2 size = ImGui::CalcTextSize(text, nullptr, false, wrap);
+    list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {centre.x - 0.5f * size.x, centre.y - 0.5f * size.y},
+                 ImGui::GetColorU32(ImGuiCol_PlotHistogramHovered), text, nullptr, wrap);
+}
+
 enum class Wish { none, enlarge, remove };
 
 /// The pinned buffer `index`, its lower left corner there.
@@ -132,6 +141,7 @@ Wish draw_inset(const ViewModel& model, const FrameFacts& facts, std::size_t ind
     const ImVec2 size(static_cast<float>(layout.image.x), static_cast<float>(layout.image.y));
     const PinnedBuffer& p = model.pinned[index];
     const std::size_t buffer = index + (model.settings.debug.view.empty() ? 0 : 1);
+    const BufferFacts& shown = facts_of(facts, buffer, p.name);
     Wish wish = Wish::none;
     ImGui::SetNextWindowPos({corner.x, corner.y}, ImGuiCond_Always, {0, 1});
     if (ImGui::Begin(fmt::format("inset {}", p.name).c_str(), nullptr, flags)) {
@@ -146,13 +156,14 @@ Wish draw_inset(const ViewModel& model, const FrameFacts& facts, std::size_t ind
         const auto count = static_cast<float>(model.pinned.size()), at = static_cast<float>(index);
         const ImVec2 from = ImGui::GetCursorScreenPos();
         ImGui::Image(facts.insets, size, {at / count, 0}, {(at + 1) / count, 1});
+        if (shown.absent)
+            draw_absence(*ImGui::GetWindowDrawList(), {from.x + 0.5f * size.x, from.y + 0.5f * size.y}, size.x);
         if (ImGui::IsItemClicked()) wish = Wish::enlarge;
         if (ImGui::IsItemHovered() && buffer < facts.buffers.size()) {
             const ImVec2 mouse = ImGui::GetMousePos();
             draw_values(facts, buffer, {(mouse.x - from.x) / size.x, (mouse.y - from.y) / size.y});
         }
-        if (layout.with_legend)
-            draw_legend(*parse_aov(p.name, model.lights).info, p.view, facts_of(facts, buffer, p.name), size.x);
+        if (layout.with_legend) draw_legend(shown, size.x);
     }
     ImGui::End();
     return wish;
@@ -181,11 +192,15 @@ void draw_insets(ViewModel& model, const FrameFacts& facts, float scale)
 void draw_full_view(ViewModel& model, const std::string& name, const FrameFacts& facts, float scale)
 {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const BufferFacts& shown = facts_of(facts, 0, name);
+    const float left = panel_width * scale; // what panels leave free begins there
+    if (shown.absent)
+        draw_absence(*ImGui::GetBackgroundDrawList(), {0.5f * (left + display.x), 0.5f * display.y}, display.x - left);
     ImGui::SetNextWindowPos({display.x - margin * scale, margin * scale}, ImGuiCond_Always, {1, 0});
     if (ImGui::Begin("full view", nullptr, flags)) {
         const float width = legend_width * scale;
         draw_name(name, width);
-        draw_legend(*parse_aov(name, model.lights).info, model.settings.buffer_view, facts_of(facts, 0, name), width);
+        draw_legend(shown, width);
         if (ImGui::Button("back to the picture", {width, 0})) model.settings.debug.view.clear();
     }
     ImGui::End();

@@ -6,6 +6,7 @@
 #include "app/gui/path_panel.hpp"
 #include "app/gui/setting_widgets.hpp"
 #include "app/gui/view_model.hpp"
+#include "renderer/graph_facts.hpp"
 
 #include <array>
 #include <cstddef>
@@ -41,6 +42,7 @@ struct FrameFacts {
     std::array<double, 2> side_ms{}; ///< of a split view's last full frames, left and right
     std::vector<HeapFacts> heaps;
     CostHistory costs;
+    GraphFacts graph;
     std::vector<ShownBuffer> buffers; ///< the one in place of the picture, if any, then the pinned ones
     void* insets = nullptr;           ///< ImGui's name of the image in which the pinned ones stand side by side
     /// The channels of one of `buffers` at a point of it, 0 to 1; none while the camera moves.

@@ -232,6 +232,7 @@ std::vector<std::string> ViewModel::offered_buffers() const
         if (aov.info->source != AovSource::shadow) return false;
         return settings.shadow.filter == ShadowFilter::off || !lights[aov.light].shadow;
     });
+    names.insert(names.end(), graph_images.begin(), graph_images.end());
     return names;
 }
 
@@ -271,9 +272,7 @@ void ViewModel::toggle_pin(const std::string& name)
 
 void ViewModel::drop_lost_buffers()
 {
-    const std::vector<std::string> names = aov_names(lights);
-    std::erase_if(pinned,
-                  [&](const PinnedBuffer& p) { return std::find(names.begin(), names.end(), p.name) == names.end(); });
+    std::erase_if(pinned, [&](const PinnedBuffer& p) { return !find_buffer(p.name, lights); });
 }
 
 // ---- materials

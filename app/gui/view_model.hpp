@@ -98,7 +98,8 @@ public:
 
     // Buffers: the AOVs that can be shown.
 
-    /// Those that the settings and lights offer: without those of techniques that are off.
+    std::vector<std::string> graph_images; ///< "graph.NAME" of each that the last frame had
+    /// Those that the settings and lights offer, without those of techniques that are off, and graph_images.
     [[nodiscard]] std::vector<std::string> offered_buffers() const;
     /// The one in place of the picture, by its light's name; empty: it is the picture, or no buffer has that name.
     [[nodiscard]] std::string shown_buffer() const;

@@ -2,6 +2,7 @@
 
 #include "app/config.hpp"
 #include "app/gui/framing.hpp"
+#include "app/gui/graph_images.hpp"
 #include "app/gui/inset_layout.hpp"
 #include "app/gui/notice.hpp"
 #include "app/gui/split_view.hpp"
@@ -395,7 +396,7 @@ std::string Viewer::state_text(const Settings& settings, uvec2 pixels) const
         BufferViewSettings view = inset.view;
         SettingList keys;
         describe(keys, view);
-        text += fmt::format("{} {}", inset.aov.info->name, inset.aov.light);
+        text += aov_name(inset.aov, model_.lights);
         for (const Setting& key : keys.all()) text += key.get();
     }
     for (const auto& [key, value] : describe_frame(wanted_frame(settings, {16, 9}), 0)) text += key + value;
@@ -408,7 +409,7 @@ FrameRequest Viewer::wanted_picture(uvec2 size) const
     FrameRequest wanted = wanted_frame(model_.settings, size);
     wanted.keep_picture.reset();
     wanted.outlined.reset();
-    wanted.remember = wanted.keep_buffers = false;
+    wanted.remember = wanted.keep_buffers = wanted.want_graph = false;
     wanted.insets = {};
     return wanted;
 }
@@ -460,6 +461,7 @@ void Viewer::draw_picture(PictureSlot slot, uvec2 pixels, bool moving, const Cam
     request_.keep_picture = slot;
     if (main) request_.insets = wanted_insets(pixels);
     request_.keep_buffers = main && share == 1;
+    request_.want_graph = main;
     request_.want_statistics = share == 1;
     request_.remember = share < 1; // what stands is drawn as `render` draws it, whatever was before
     const bool first = main && kept.state.empty();
@@ -475,11 +477,13 @@ void Viewer::draw_picture(PictureSlot slot, uvec2 pixels, bool moving, const Cam
     }
     moving_scale_.measured(share, whole_ms(frame));
     if (share == 1) facts_.side_ms[main ? 1 : 0] = whole_ms(frame);
-    if (main) tell(frame);
+    if (main) tell(std::move(frame));
 }
 
-void Viewer::tell(const FrameResult& frame)
+void Viewer::tell(FrameResult frame)
 {
+    facts_.graph = std::move(frame.graph);
+    model_.graph_images = gui::buffers_of(facts_.graph);
     if (request_.want_statistics) facts_.triangles = frame.triangles;
     gui::FrameCost cost;
     cost.frame_ms = whole_ms(frame);

@@ -29,7 +29,8 @@ constexpr int zip_level = 1;
 // OpenEXR's own threads change no byte, but they would compete with the renderer's.
 constexpr int no_threads = 0;
 
-constexpr std::array<std::array<const char*, 3>, 4> channel_names{{{}, {"Y"}, {"R", "G"}, {"R", "G", "B"}}}; // by count
+constexpr std::array<std::array<const char*, 4>, 5> channel_names{
+    {{}, {"Y"}, {"R", "G"}, {"R", "G", "B"}, {"R", "G", "B", "A"}}}; // by count
 
 /// An AtomicFile as OpenEXR's stream. The library's destructor writes the line table and swallows what that throws, so
 /// the first failure is kept for rethrow().

@@ -63,6 +63,22 @@ std::optional<Tex> Graph::find(const std::string& name) const
     return std::nullopt;
 }
 
+std::vector<std::pair<std::string, Tex>> Graph::readable_images() const
+{
+    std::vector<bool> readable(resources_.size());
+    for (std::size_t i = 0; i < resources_.size(); ++i) readable[i] = resources_[i].imported_image;
+    for (const Pass& pass : passes_) {
+        for (const Use& use : pass.uses) {
+            if (resources_[use.resource].is_image && gpu::info(use.access).writes) readable[use.resource] = true;
+        }
+    }
+    std::vector<std::pair<std::string, Tex>> out;
+    for (std::size_t i = 0; i < resources_.size(); ++i) {
+        if (readable[i]) out.emplace_back(resources_[i].name, Tex{static_cast<ResourceIndex>(i)});
+    }
+    return out;
+}
+
 PassBuilder Graph::add(std::string name, PassKind kind)
 {
     Pass pass;
@@ -79,10 +95,16 @@ Pass& PassBuilder::pass()
 
 PassBuilder& PassBuilder::reads(Tex texture)
 {
+    reads_layer(texture, 0);
+    pass().uses.back().range.layers = graph_.desc(texture).layers;
+    return *this;
+}
+
+PassBuilder& PassBuilder::reads_layer(Tex texture, std::uint32_t layer)
+{
     if (!texture) throw std::logic_error(fmt::format("pass {} reads an image that does not exist", pass().name));
     constexpr std::array by_kind{Access::sampled_fragment, Access::sampled_compute, Access::transfer_read};
-    const SubresourceRange all{0, 1, 0, graph_.desc(texture).layers};
-    pass().uses.push_back({texture.index, by_kind[static_cast<std::size_t>(pass().kind)], all});
+    pass().uses.push_back({texture.index, by_kind[static_cast<std::size_t>(pass().kind)], {0, 1, layer, 1}});
     return *this;
 }
 

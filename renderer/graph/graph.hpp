@@ -12,6 +12,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace atrium::graph {
@@ -111,6 +112,7 @@ struct Pass {
 class PassBuilder {
 public:
     PassBuilder& reads(Tex texture); ///< sampled, at the next binding of set 2; transfer: copied from
+    PassBuilder& reads_layer(Tex texture, std::uint32_t layer); ///< one layer of it, bound as an image of its own
     PassBuilder& reads(Buf buffer);
     PassBuilder& reads(Buf buffer, Access access);
     PassBuilder& writes(Tex texture, Load load = Load::discard,
@@ -172,7 +174,10 @@ public:
     PassBuilder transfer(std::string name) { return add(std::move(name), PassKind::transfer); }
 
     [[nodiscard]] const TexDesc& desc(Tex texture) const { return resources_[texture.index].desc; }
+    [[nodiscard]] std::uint64_t bytes(Buf buffer) const { return resources_[buffer.index].bytes; }
     [[nodiscard]] std::optional<Tex> find(const std::string& name) const; ///< the image called so, if any
+    /// Images that passes declared so far can read, by name: imported ones, and those that one of them writes.
+    [[nodiscard]] std::vector<std::pair<std::string, Tex>> readable_images() const;
 
 private:
     friend class PassBuilder;

@@ -122,7 +122,11 @@ void Runner::bind_resources(VkCommandBuffer commands, const Pass& pass)
     for (const Use& use : pass.uses) {
         const bool sampled = use.access == Access::sampled_fragment || use.access == Access::sampled_compute;
         if (described_.resources[use.resource].is_image) {
-            if (sampled) images.push_back({image(use.resource).view(), gpu::info(use.access).layout});
+            const gpu::Image& own = image(use.resource);
+            const bool whole = use.range.layers == own.desc().layers;
+            if (sampled)
+                images.push_back(
+                    {whole ? own.view() : own.layer_view(use.range.first_layer), gpu::info(use.access).layout});
         } else if (sampled || use.access == Access::storage_write) {
             buffers.push_back(buffer_of(use.resource));
         }

@@ -33,6 +33,7 @@ public:
     [[nodiscard]] std::string plan_text() const { return to_text(described_, plan_); }
     [[nodiscard]] std::string plan_dot() const { return to_dot(described_, plan_); }
     [[nodiscard]] const Plan& plan() const { return plan_; }
+    [[nodiscard]] const GraphDesc& planned() const { return described_; } ///< what `plan()` is of
 
 private:
     friend class Cmd;

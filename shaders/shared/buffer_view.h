@@ -6,8 +6,8 @@ SHARED_BEGIN
 
 const uint view_color = 0, view_scalar = 1, view_vector = 2, view_index = 3, view_motion = 4, view_viridis = 5;
 
-// What of a texel counts: one channel, several each on its own, or their length.
-const uint pick_r = 0, pick_g = 1, pick_b = 2, pick_all = 3, pick_length = 4;
+// What of a texel counts: one channel; red, green and blue each on its own, or their length; 0.
+const uint pick_r = 0, pick_g = 1, pick_b = 2, pick_a = 3, pick_all = 4, pick_length = 5, pick_none = 6;
 
 /// Of values that are finite.
 struct BufferStatistics {
@@ -20,7 +20,7 @@ const uint statistics_tile = 16;       // texels along its side
 const uint statistics_group_size = 64;
 
 struct BufferStatisticsPush {
-    uint pick, channels; // of a texel: how many
+    uint pick, channels; // of a texel: how many, at most 3
     uint tiles;
     uint fitted;         // 1: the range is that of the values
     vec2 range;          // where it is not

@@ -1,5 +1,6 @@
 // Buffers in the window: the list, the pinned ones, the values under the mouse.
 
+#include "app/gui/graph_images.hpp"
 #include "app/gui/inset_layout.hpp"
 #include "app/gui/panels.hpp"
 #include "tests/gui/headless.hpp"
@@ -103,6 +104,30 @@ TEST(buffers, pins_go_with_their_lights_and_have_an_end)
     EXPECT_EQ(model.pinned.size(), max_insets);
 }
 
+TEST(buffers, images_of_the_graph_are_offered_by_layer_and_outlive_their_technique)
+{
+    GraphFacts graph;
+    graph.resources.resize(2);
+    graph.resources[0].name = "readback";
+    graph.resources[1].name = "visibility";
+    graph.resources[1].layers = 2;
+    graph.resources[1].can_be_shown = true;
+    const std::vector<std::string> names = buffers_of(graph);
+    EXPECT_EQ(names, (std::vector<std::string>{"graph.visibility", "graph.visibility:1"}));
+    ViewModel model;
+    model.graph_images = names;
+    for (const std::string& name : names) {
+        EXPECT_TRUE(offers(model, name));
+        model.settings.debug.view = name;
+        EXPECT_EQ(model.shown_buffer(), name);
+        model.toggle_pin(name);
+    }
+    model.graph_images.clear();
+    model.drop_lost_buffers();
+    EXPECT_FALSE(offers(model, names[0]));
+    EXPECT_EQ(model.pinned.size(), 2u);
+}
+
 TEST(buffers, insets_stand_beside_the_panel_and_apart)
 {
     for (const uvec2 window : {uvec2(800, 600), uvec2(1280, 720), uvec2(3840, 2160)}) {
@@ -155,6 +180,19 @@ TEST_F(buffer_overlay, a_click_enlarges_and_the_button_removes)
     gui.click(480, 460, drawing, false);
     EXPECT_EQ(model.settings.debug.view, "depth");
     EXPECT_EQ(model.pinned.size(), 2u);
+}
+
+TEST_F(buffer_overlay, says_that_there_is_no_such_image)
+{
+    model.settings.debug.view = "graph.ao.raw";
+    model.toggle_pin("graph.ao.raw");
+    facts.buffers = {{"graph.ao.raw", {}}, {"graph.ao.raw", {}}};
+    draw();
+    const int without = gui.vertices();
+    for (ShownBuffer& b : facts.buffers) b.facts.absent = true;
+    draw();
+    EXPECT_GT(gui.vertices(), without + 2 * 4 * 30); // a sentence, twice
+    EXPECT_EQ(gui.cut_off(), std::vector<std::string>{});
 }
 
 TEST_F(buffer_overlay, asks_for_the_value_under_the_mouse)

@@ -1,5 +1,6 @@
 #include "renderer/techniques/aov/aov.hpp"
 
+#include "renderer/techniques/aov/graph_image.hpp"
 #include "shaders/shared/aov.h"
 
 #include <fmt/format.h>
@@ -84,9 +85,17 @@ graph::Tex add_shadow_image(graph::Graph& g, const Aov& aov, const AovInputs& in
     return image ? image : add_unpacked(g, aov, in, in.hdr, shared::aov_constant);
 }
 
-} // namespace
+AovImage add_image_of_graph(graph::Graph& g, const Aov& aov, const AovInputs& in)
+{
+    if (const auto image = find_graph_image(g, aov, in.images)) {
+        const std::string pass = "aov.graph." + graph_image_text(aov);
+        return {add_graph_image(g, *image, aov.layer, pass), &graph_image_info(g.desc(*image).format)};
+    }
+    if (!in.absent_images) refuse_graph_image(g, aov, in.images);
+    return {add_unpacked(g, aov, in, in.hdr, shared::aov_constant), aov.info, true};
+}
 
-graph::Tex add_aov(graph::Graph& g, const Aov& aov, const AovInputs& in, float exposure)
+graph::Tex add_value(graph::Graph& g, const Aov& aov, const AovInputs& in, float exposure)
 {
     LightingTerms alone;
     alone.emission = false;
@@ -116,6 +125,14 @@ graph::Tex add_aov(graph::Graph& g, const Aov& aov, const AovInputs& in, float e
     default:
         return add_unpacked(g, aov, in, in.hdr, aov.info->kind);
     }
+}
+
+} // namespace
+
+AovImage add_aov(graph::Graph& g, const Aov& aov, const AovInputs& in, float exposure)
+{
+    if (aov.info->source == AovSource::graph) return add_image_of_graph(g, aov, in);
+    return {add_value(g, aov, in, exposure), aov.info};
 }
 
 } // namespace atrium

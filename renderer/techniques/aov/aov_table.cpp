@@ -2,7 +2,7 @@
 
 #include "renderer/core/error.hpp"
 #include "renderer/core/nearest_name.hpp"
-#include "renderer/techniques/aov/aov.hpp"
+#include "renderer/techniques/aov/graph_image.hpp"
 #include "shaders/shared/aov.h"
 #include "shaders/shared/buffer_view.h"
 #include "shaders/shared/shadow.h"
@@ -58,6 +58,7 @@ std::span<const AovInfo> aov_table()
 
 std::string aov_name(const Aov& aov, std::span<const Light> lights)
 {
+    if (aov.info->source == AovSource::graph) return "graph." + graph_image_text(aov);
     return aov.info->per_light ? fmt::format("{}.{}", aov.info->name, lights[aov.light].name) : aov.info->name;
 }
 
@@ -74,6 +75,8 @@ std::vector<std::string> aov_names(std::span<const Light> lights)
 
 Aov parse_aov(std::string_view name, std::span<const Light> lights)
 {
+    constexpr std::string_view of_graph = "graph.";
+    if (name.starts_with(of_graph)) return parse_graph_image(name.substr(of_graph.size()));
     for (const AovInfo& info : aov_table()) {
         const std::string_view own = info.name;
         if (!info.per_light && name == own) return {&info, 0};
@@ -88,7 +91,8 @@ Aov parse_aov(std::string_view name, std::span<const Light> lights)
     }
     throw Error(ExitCode::usage, fmt::format("no AOV is called \"{}\"", name), "--aov",
                 fmt::format("did you mean \"{}\"?", nearest_name(name, names)),
-                "docs/aovs.md lists them; those of a light end in .NAME or .INDEX");
+                "docs/aovs.md lists them; those of a light end in .NAME or .INDEX, and graph.NAME is an image of the "
+                "frame graph");
 }
 
 } // namespace atrium

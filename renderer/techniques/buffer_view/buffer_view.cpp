@@ -2,6 +2,8 @@
 
 #include "shaders/shared/buffer_view.h"
 
+#include <algorithm>
+
 namespace atrium {
 namespace {
 
@@ -14,6 +16,8 @@ std::uint32_t picked(const BufferLook& look, const BufferViewSettings& s)
         return shared::pick_g;
     case BufferChannels::b:
         return shared::pick_b;
+    case BufferChannels::a:
+        return look.channels == 4 ? shared::pick_a : shared::pick_none;
     case BufferChannels::all:
         break;
     }
@@ -35,7 +39,7 @@ ChosenView choose_view(const BufferLook& look, const BufferViewSettings& s)
 {
     ChosenView out{mode_of(look, s), picked(look, s), s.range};
     const bool index_as_number = look.mode == shared::view_index && out.mode != look.mode;
-    const bool has_no_usual = index_as_number || out.pick == shared::pick_length;
+    const bool has_no_usual = index_as_number || out.pick == shared::pick_length || look.low == look.high;
     if (s.range == BufferRange::usual && has_no_usual) out.range = BufferRange::fitted;
     return out;
 }
@@ -49,9 +53,10 @@ graph::Buf add_buffer_statistics(graph::Graph& g, graph::Tex buffer, const Buffe
     };
     const std::uint32_t count = tiles_along(desc.width) * tiles_along(desc.height);
     const ChosenView view = choose_view(look, s);
-    const shared::BufferStatisticsPush push{
-        view.pick, static_cast<std::uint32_t>(look.channels), count, view.range == BufferRange::fitted ? 1u : 0u,
-        view.range == BufferRange::given ? vec2(s.low, s.high) : vec2(look.low, look.high)};
+    const shared::BufferStatisticsPush push{view.pick, static_cast<std::uint32_t>(std::min(look.channels, 3)), count,
+                                            view.range == BufferRange::fitted ? 1u : 0u,
+                                            view.range == BufferRange::given ? vec2(s.low, s.high)
+                                                                             : vec2(look.low, look.high)};
     const graph::Buf tiles = g.buffer(name + ".tiles", count * sizeof(shared::BufferStatistics));
     const graph::Buf total = g.buffer(name + ".total", sizeof(shared::BufferStatistics));
     const auto record = [push](std::uint32_t threads) {

@@ -10,10 +10,10 @@
 
 namespace atrium {
 
-enum class BufferChannels : std::uint8_t { all, r, g, b };
+enum class BufferChannels : std::uint8_t { all, r, g, b, a };
 constexpr auto enum_names(BufferChannels)
 {
-    return std::array{"all", "r", "g", "b"};
+    return std::array{"all", "r", "g", "b", "a"};
 }
 
 enum class BufferRange : std::uint8_t { usual, fitted, given };
@@ -49,9 +49,9 @@ void describe(V& v, BufferViewSettings& s)
 
 /// How a buffer is shown where nobody wishes otherwise.
 struct BufferLook {
-    int channels = 1;   ///< 1, 2 or 3 of the image's
+    int channels = 1;   ///< 1 to 4 of the image's
     std::uint32_t mode; ///< shared::view_…
-    float low, high;    ///< usual range
+    float low, high;    ///< usual range; the same: there is none, and it is fitted
 };
 
 /// What of a buffer's look the settings change.
@@ -65,7 +65,9 @@ struct ChosenView {
 struct BufferFacts {
     float low = 0, mean = 0, high = 0;
     vec2 range{0, 1};        ///< what is drawn darkest and brightest
-    std::uint32_t count = 0; ///< of values; 0: the three above mean nothing
+    std::uint32_t mode = 0;  ///< shared::view_…: what its colours say
+    std::uint32_t count = 0; ///< of values; 0: low, mean and high mean nothing
+    bool absent = false;     ///< the frame has no such image, and nothing is shown
 };
 
 /// Most buffers that are shown small beside the picture.

@@ -15,6 +15,7 @@ layout(location = 0) out vec4 out_color;
 vec3 index_color(float index)
 {
     if (index < 0.0) return vec3(0.0);
+    index = mod(index, 65536.0); // products with larger ones have too few bits behind the point
     float hue = fract(index * 0.61803399);
     vec3 c = clamp(abs(fract(hue + vec3(0.0, 2.0 / 3.0, 1.0 / 3.0)) * 6.0 - 3.0) - 1.0, 0.0, 1.0);
     return mix(vec3(1.0), c, 0.5 + 0.4 * fract(index * 0.381966)) * 0.8;

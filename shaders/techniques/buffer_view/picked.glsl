@@ -8,6 +8,7 @@ vec3 picked(vec4 texel, uint pick)
 {
     if (pick == pick_all) return texel.rgb;
     if (pick == pick_length) return vec3(length(texel.rgb));
+    if (pick == pick_none) return vec3(0.0);
     return vec3(texel[pick]);
 }
 
