@@ -263,13 +263,6 @@ void Engine::set_frame_constants(const FrameRequest& request)
 
 namespace {
 
-std::vector<graph::ResourceIndex> indices_of(const GraphImages& images)
-{
-    std::vector<graph::ResourceIndex> out;
-    for (const auto& [name, image] : images) out.push_back(image.index);
-    return out;
-}
-
 /// What the commands that the GPU left after culling draw.
 void count_draws(std::span<const std::byte> bytes, const GpuScene& scene, FrameResult& result)
 {
@@ -376,7 +369,7 @@ FrameResult Engine::draw(const FrameRequest& request)
     const double built_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     result.stats = s.runner.run(g, request.timers);
     result.record_ms = built_ms + result.stats.cpu_ms;
-    if (request.want_graph) result.graph = make_graph_facts(g, s.runner, result.stats, indices_of(frame.images));
+    if (request.want_graph) result.graph = make_graph_facts(g, frame, s.runner, result.stats);
 
     const auto bytes_in = [](const gpu::Buffer& buffer) {
         buffer.invalidate();

@@ -111,6 +111,7 @@ Frame build_frame(graph::Graph& g, const Renderer& renderer, const FrameContext&
 
     Frame out;
     out.picture = add_tonemap(g, scene.hdr, s.tonemap); // dropped where a buffer takes its place
+    out.own_passes = g.pass_count();
     scene.aov_inputs.images = g.readable_images();
     scene.aov_inputs.absent_images = frame.absent_images;
     out.hdr = scene.hdr;

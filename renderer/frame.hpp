@@ -71,6 +71,7 @@ struct Frame {
     std::vector<AovImage> aovs;     ///< as asked, in order
     std::vector<ShownBuffer> shown; ///< the one in place of the picture, if any, then the insets
     GraphImages images;             ///< that can be shown
+    std::size_t own_passes = 0;     ///< as many of the first passes make the picture; the others look at images
     graph::Tex insets;              ///< RGBA8, sRGB-encoded, side by side; none: there are none
 };
 

@@ -1,8 +1,7 @@
 #include "renderer/graph_facts.hpp"
 
+#include "renderer/frame.hpp"
 #include "renderer/graph/runner.hpp"
-
-#include <algorithm>
 
 namespace atrium {
 namespace {
@@ -35,8 +34,8 @@ bool overlap(const graph::GraphDesc& desc, const graph::Plan& plan, std::size_t 
 
 } // namespace
 
-GraphFacts make_graph_facts(const graph::Graph& g, const graph::Runner& runner, const graph::RunStats& stats,
-                            const std::vector<std::uint32_t>& shown)
+GraphFacts make_graph_facts(const graph::Graph& g, const Frame& frame, const graph::Runner& runner,
+                            const graph::RunStats& stats)
 {
     const graph::GraphDesc& desc = runner.planned();
     const graph::Plan& plan = runner.plan();
@@ -44,12 +43,13 @@ GraphFacts make_graph_facts(const graph::Graph& g, const graph::Runner& runner, 
     for (std::size_t r = 0; r < desc.resources.size(); ++r) {
         const auto index = static_cast<graph::ResourceIndex>(r);
         out.resources.push_back(facts_of(g, desc.resources[r], index));
-        out.resources.back().can_be_shown = std::binary_search(shown.begin(), shown.end(), index);
         for (std::size_t other = 0; other < desc.resources.size(); ++other) {
             if (other != r && overlap(desc, plan, r, other)) out.resources.back().shares.push_back(other);
         }
     }
+    for (const auto& [name, image] : frame.images) out.resources[image.index].can_be_shown = true;
     for (std::size_t p = 0; p < plan.passes.size(); ++p) {
+        if (plan.passes[p].pass >= frame.own_passes) break;
         const graph::PassDesc& pass = desc.passes[plan.passes[p].pass];
         out.passes.push_back({pass.name, stats.passes[p].gpu_ms});
         for (const graph::Use& use : pass.uses) {

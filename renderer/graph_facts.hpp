@@ -15,6 +15,7 @@ class Graph;
 class Runner;
 struct RunStats;
 } // namespace graph
+struct Frame;
 
 struct GraphPassFacts {
     std::string name;
@@ -40,13 +41,13 @@ struct GraphUseFacts {
 };
 
 struct GraphFacts {
-    std::vector<GraphPassFacts> passes; ///< that ran, in order
+    std::vector<GraphPassFacts> passes; ///< that made the picture, in order
     std::vector<GraphResourceFacts> resources;
     std::vector<GraphUseFacts> uses; ///< by pass
 };
 
-/// Of the graph that ran last. `shown`: which of its resources can be shown, in ascending order.
-[[nodiscard]] GraphFacts make_graph_facts(const graph::Graph& g, const graph::Runner& runner,
-                                          const graph::RunStats& stats, const std::vector<std::uint32_t>& shown);
+/// Of the frame that ran last.
+[[nodiscard]] GraphFacts make_graph_facts(const graph::Graph& g, const Frame& frame, const graph::Runner& runner,
+                                          const graph::RunStats& stats);
 
 } // namespace atrium

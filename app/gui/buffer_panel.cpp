@@ -67,6 +67,9 @@ void draw_buffer_tab(ViewModel& model, PanelState& state, bool is_cpu)
     ImGui::BeginDisabled(view.empty());
     if (ImGui::Button("back to the picture")) view.clear();
     ImGui::EndDisabled();
+    ImGui::SameLine();
+    if (ImGui::Button("frame graph")) state.graph.open = !state.graph.open;
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Passes and images of the frame, drawn as a graph");
     draw_list(model, state.buffer_filter);
 
     const auto section = [&](const std::string& name, const char* id, BufferViewSettings& look) {

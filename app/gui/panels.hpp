@@ -2,6 +2,7 @@
 // The panel on the left of the window: settings, lights, buffers, camera, materials, costs, help.
 
 #include "app/gui/cost_history.hpp"
+#include "app/gui/graph_window.hpp"
 #include "app/gui/material_panel.hpp"
 #include "app/gui/path_panel.hpp"
 #include "app/gui/setting_widgets.hpp"
@@ -73,6 +74,7 @@ struct PanelState {
     std::string new_bookmark;                    ///< name that is being typed
     std::optional<std::size_t> camera;           ///< selected of the scene's cameras and, after them, the bookmarks
     PathPanel path;                              ///< of cameras
+    GraphWindow graph;                           ///< of the frame
     bool frame = false;                          ///< wished for in this frame: to see the selected light, or the scene
     std::optional<CostFile> save_costs;          ///< wished for in this frame
     MaterialTab materials;

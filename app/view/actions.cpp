@@ -31,6 +31,7 @@ constexpr std::array actions{
     ActionInfo{Action::open, "open", {GLFW_KEY_O, GLFW_MOD_CONTROL}, "open another scene; or drop its file here"},
     ActionInfo{Action::gui, "gui", {GLFW_KEY_F1, 0}, "show and hide the panels"},
     ActionInfo{Action::help, "help", {GLFW_KEY_H, 0}, "this list"},
+    ActionInfo{Action::graph, "graph", {GLFW_KEY_F2, 0}, "show and hide the frame's graph"},
     ActionInfo{Action::shaders, "shaders", {GLFW_KEY_F5, 0}, "compile the shaders again"},
     ActionInfo{Action::full_screen, "full_screen", {GLFW_KEY_F11, 0}, "full screen"},
     ActionInfo{

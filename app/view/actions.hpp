@@ -29,6 +29,7 @@ enum class Action : std::uint8_t {
     open,
     gui,
     help,
+    graph,
     shaders,
     full_screen,
     screenshot,

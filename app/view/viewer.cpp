@@ -259,6 +259,9 @@ void Viewer::act(Action action, uvec2 pixels)
         show_gui_ = true;
         panels_.show = gui::Tab::help;
         break;
+    case Action::graph:
+        panels_.graph.open = !panels_.graph.open;
+        break;
     case Action::full_screen:
         window_.toggle_full_screen();
         break;
@@ -351,6 +354,7 @@ void Viewer::draw_interface(uvec2 pixels)
         gui::draw_panels(model_, facts_, panels_);
         gui::draw_buffers(model_, facts_, panels_.scale);
         gui::draw_divider(model_, facts_, panels_.scale);
+        gui::draw_graph_window(model_, facts_.graph, facts_.insets, panels_.graph, panels_.scale);
     }
     draw_notices();
     if (const auto file = open_dialog_.draw(recent_, gui_.scale())) open(*file);

@@ -174,6 +174,7 @@ public:
     PassBuilder transfer(std::string name) { return add(std::move(name), PassKind::transfer); }
 
     [[nodiscard]] const TexDesc& desc(Tex texture) const { return resources_[texture.index].desc; }
+    [[nodiscard]] std::size_t pass_count() const { return passes_.size(); }
     [[nodiscard]] std::uint64_t bytes(Buf buffer) const { return resources_[buffer.index].bytes; }
     [[nodiscard]] std::optional<Tex> find(const std::string& name) const; ///< the image called so, if any
     /// Images that passes declared so far can read, by name: imported ones, and those that one of them writes.
