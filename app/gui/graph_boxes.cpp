@@ -93,7 +93,7 @@ private:
 
     void add_lines(std::size_t resource)
     {
-        const auto& [writers, readers] = users_[resource];
+        const std::vector<std::size_t>&writers = users_[resource].writers, &readers = users_[resource].readers;
         const std::optional<std::size_t> box = image_box_[resource];
         const auto add_from_writer = [&](std::size_t group) {
             if (const auto writer = last_before(writers, group))

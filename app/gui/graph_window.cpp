@@ -52,6 +52,12 @@ std::string structure_of(const GraphFacts& graph, float scale)
     return out;
 }
 
+/// Of all boxes different.
+std::string key_of(const GraphFacts& graph, const GraphBox& box)
+{
+    return (box.image ? "image " : "pass ") + title_of(graph, box);
+}
+
 void lay_out(const GraphFacts& graph, GraphWindow& window, float scale)
 {
     std::string structure = structure_of(graph, scale);
@@ -63,6 +69,10 @@ void lay_out(const GraphFacts& graph, GraphWindow& window, float scale)
     std::vector<GraphEdge> edges;
     for (const GraphLine& line : window.drawing.lines) edges.push_back({line.from, line.to});
     window.corners = lay_out_graph(window.sizes, edges, gaps * scale);
+    for (std::size_t i = 0; i < window.corners.size(); ++i) {
+        if (key_of(graph, window.drawing.boxes[i]) != window.pointed) continue;
+        window.origin += window.zoom * (window.pointed_at - window.corners[i]);
+    }
 }
 
 /// Of all boxes together.
@@ -118,7 +128,10 @@ public:
         }
         for (std::size_t i = 0; i < window_.drawing.boxes.size(); ++i) draw_box(i);
         list_.PopClipRect();
+        window_.pointed.clear();
         if (pointed_ == none) return;
+        window_.pointed = key_of(graph_, window_.drawing.boxes[pointed_]);
+        window_.pointed_at = window_.corners[pointed_];
         draw_graph_tip(graph_, window_.drawing.boxes[pointed_]);
         act_on(window_.drawing.boxes[pointed_]);
     }

@@ -15,6 +15,8 @@ struct GraphWindow {
     vec2 canvas{0};        ///< upper left corner of the part that is drawn into, on the screen
     vec2 origin{0};        ///< of the drawing, from there
     float zoom = 0;        ///< 0: not chosen yet
+    std::string pointed;   ///< the box under the mouse, which stays there when the graph changes
+    vec2 pointed_at{0};    ///< its corner
     std::string structure; ///< of the graph that is laid out below
     GraphBoxes drawing;
     std::vector<vec2> corners, sizes; ///< of its boxes, at zoom 1

@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 #include <imgui/imgui.h>
 
+#include <algorithm>
+
 namespace atrium::gui {
 namespace {
 
@@ -87,6 +89,21 @@ TEST_F(graph_window, the_wheel_scales_about_the_mouse)
     draw(gui, 1);
     EXPECT_LT(window.zoom, before);
     const vec2 moved = glm::abs(middle_of("depth") - at);
+    EXPECT_LT(std::max(moved.x, moved.y), 0.1f);
+}
+
+TEST_F(graph_window, what_the_mouse_points_at_stays_there_when_the_graph_changes)
+{
+    const HeadlessGui gui(1280, 720);
+    draw(gui);
+    const vec2 at = middle_of("hdr");
+    gui.mouse(at.x, at.y, false);
+    draw(gui);
+    frame.image("bloom");
+    frame.pass("bright", {"depth"}, {"bloom"});
+    frame.pass("blur", {"bloom"}, {});
+    draw(gui);
+    const vec2 moved = glm::abs(middle_of("hdr") - at);
     EXPECT_LT(std::max(moved.x, moved.y), 0.1f);
 }
 

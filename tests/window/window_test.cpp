@@ -197,6 +197,33 @@ TEST_F(Viewed, buffers_take_the_place_of_the_picture_and_stand_beside_it)
     EXPECT_EQ(mean_difference(whole, scene()), 0);
 }
 
+TEST_F(Viewed, images_of_the_graph_are_clicked_into_the_view)
+{
+    desktop->resize(window, {1200, 760}); // to see more of it
+    ASSERT_TRUE(settle());
+    desktop->click(window, {160, 140}); // the tab of buffers
+    ASSERT_TRUE(settle());
+    const ivec2 frame_graph{198, 196}, albedo{805, 186}, id{805, 231};
+    const Image8 start = scene();
+    desktop->tap("period"); // there and back: shadow maps are kept then, and the graph has no passes for them
+    desktop->tap("comma");
+    ASSERT_TRUE(settle());
+    desktop->click(window, frame_graph);
+    ASSERT_TRUE(settle());
+    desktop->drag(window, {1000, 400}, {620, 310}); // past the passes that cull, to the G-buffer
+    EXPECT_GT(change([&] { desktop->click(window, albedo); }), 1);
+    EXPECT_GT(change([&] { desktop->click(window, id); }), 1);
+    picture("window-graph");
+    EXPECT_GT(change([&] { desktop->click(window, id, 3); }), 3); // large
+    desktop->click(window, id, 3);
+    for (const ivec2 image : {albedo, id}) EXPECT_GT(change([&] { desktop->click(window, image); }), 1);
+    desktop->tap("F2");
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(mean_difference(start, scene()), 0);
+    desktop->resize(window, window_size);
+    ASSERT_TRUE(settle());
+}
+
 TEST_F(Viewed, l_looks_through_the_selected_light_and_back)
 {
     const Image8 start = scene();
