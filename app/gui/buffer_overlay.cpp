@@ -108,6 +108,7 @@ void draw_name(const std::string& name, float width)
 
 void draw_values(const FrameFacts& facts, std::size_t buffer, vec2 at)
 {
+    if (facts.buffers[buffer].facts.absent) return;
     const std::vector<float> values = facts.buffer_value ? facts.buffer_value(buffer, at) : std::vector<float>{};
     if (values.empty()) return;
     ImGui::BeginTooltip();

@@ -47,7 +47,8 @@ std::string structure_of(const GraphFacts& graph, float scale)
 {
     std::string out = fmt::format("{}", scale);
     for (const GraphPassFacts& pass : graph.passes) out += "\n" + pass.name;
-    for (const GraphResourceFacts& r : graph.resources) out += fmt::format("\n{} {}x{}", r.name, r.size.x, r.size.y);
+    for (const GraphResourceFacts& r : graph.resources)
+        out += fmt::format("\n{} {} {}x{}", r.name, r.format, r.size.x, r.size.y);
     for (const GraphUseFacts& use : graph.uses) out += fmt::format(" {},{},{:d}", use.pass, use.resource, use.writes);
     return out;
 }
