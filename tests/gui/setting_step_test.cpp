@@ -34,7 +34,7 @@ template <class V>
 void describe(V& v, MadeUp& s)
 {
     v.group("made", "Made up");
-    v("on", s.on, "A switch", Keys{"F2"});
+    v("on", s.on, "A switch", Keys{"F6"});
     v("finish", s.finish, "One of three");
     v("two", s.two, "One of three, two of which matter", Keys{"F3", "", "satin", "gloss"});
     v("count", s.count, "A count", Range{1, 6});
@@ -105,8 +105,8 @@ TEST_F(setting_step, what_is_described_has_a_key_a_line_of_help_and_one_of_docum
 {
     const app::KeyBindings keys(list);
     const auto step = [&](const char* key) { return keys.step_of(*app::parse_key(key)); };
-    ASSERT_NE(step("F2"), nullptr);
-    EXPECT_EQ(step("F2")->setting, "made.on");
+    ASSERT_NE(step("F6"), nullptr);
+    EXPECT_EQ(step("F6")->setting, "made.on");
     EXPECT_EQ(step("F3")->setting, "made.two");
     EXPECT_FALSE(step("F4")->less);
     EXPECT_TRUE(step("Ctrl+F4")->less);
@@ -119,12 +119,12 @@ TEST_F(setting_step, what_is_described_has_a_key_a_line_of_help_and_one_of_docum
 TEST_F(setting_step, any_setting_can_have_a_key_and_only_numbers_have_two)
 {
     const auto file = std::filesystem::temp_directory_path() / ("steps-" + std::to_string(getpid()) + ".toml");
-    write_text_file(file, "made.finish = 'K'\n[made.count]\nless = 'J'\n[made.width]\nmore = 'F2'\n");
+    write_text_file(file, "made.finish = 'K'\n[made.count]\nless = 'J'\n[made.width]\nmore = 'F6'\n");
     app::KeyBindings keys(list);
     const std::vector<Error> errors = keys.read(file);
     std::filesystem::remove(file);
     ASSERT_EQ(errors.size(), 1u);
-    EXPECT_NE(errors[0].why().find("made.on"), std::string::npos); // has F2
+    EXPECT_NE(errors[0].why().find("made.on"), std::string::npos); // has F6
     EXPECT_EQ(keys.step_of(*app::parse_key("K"))->name, "made.finish");
     EXPECT_EQ(keys.step_of(*app::parse_key("J"))->name, "made.count.less");
     for (const SettingStep& step : setting_steps(list)) EXPECT_FALSE(step.name.starts_with("made.text")) << step.name;
