@@ -35,6 +35,11 @@ void CostHistory::add(FrameCost frame)
     if (frames_.size() > longest) frames_.pop_front();
 }
 
+void CostHistory::shown(double interface_ms)
+{
+    if (!frames_.empty() && frames_.back().interface_ms == 0) frames_.back().interface_ms = interface_ms;
+}
+
 std::string CostHistory::to_json(const std::string& device) const
 {
     Json frames = Json::array();
@@ -45,6 +50,8 @@ std::string CostHistory::to_json(const std::string& device) const
         frames.push_back({{"at_ms", frame.at_ms},
                           {"frame_ms", frame.frame_ms},
                           {"cpu_ms", frame.cpu_ms},
+                          {"interface_ms", frame.interface_ms},
+                          {"scale", frame.scale},
                           {"memory_bytes", frame.memory_bytes},
                           {"passes", std::move(passes)}});
     }

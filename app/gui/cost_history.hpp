@@ -23,6 +23,8 @@ struct FrameCost {
     double frame_ms = 0;          ///< until the device was done
     std::vector<PassCost> passes; ///< in the order in which they ran
     std::uint64_t memory_bytes = 0;
+    double scale = 1;        ///< share of the window's pixels along each side that was drawn
+    double interface_ms = 0; ///< what the interface took in the window's frame that first showed it
 };
 
 class CostHistory {
@@ -31,9 +33,11 @@ public:
 
     /// A pass of one name keeps its index, so that it can have a colour of its own.
     void add(FrameCost frame);
+    /// The last frame is in the window for the first time; nothing where there is none, or it is not the first time.
+    void shown(double interface_ms);
     [[nodiscard]] const std::deque<FrameCost>& frames() const { return frames_; }
 
-    /// {"device", "frames": [{"at_ms", "frame_ms", "cpu_ms", "memory_bytes", "passes": [{"name", "gpu_ms",
+    /// {"device", "frames": [{"at_ms", "frame_ms", "cpu_ms", "interface_ms", "scale", "memory_bytes", "passes": [{"name", "gpu_ms",
     /// "gpu_start_ms", "draws"}]}]}
     [[nodiscard]] std::string to_json(const std::string& device) const;
     /// Chrome's Trace Event Format, which ui.perfetto.dev and chrome://tracing open: complete events in microseconds on

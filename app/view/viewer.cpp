@@ -169,6 +169,7 @@ void Viewer::run()
         const ShowResult shown = engine_.show(interface, divider);
         facts_.interface_ms += shown.interface_ms;
         facts_.picture_ms = shown.picture_ms;
+        facts_.costs.shown(facts_.interface_ms);
         if (!shown.done || !window_.input().empty()) unsettled = settle_frames;
         if (!seen) window_.show(); // with the first picture in it
         seen = true;
@@ -481,10 +482,10 @@ void Viewer::draw_picture(PictureSlot slot, uvec2 pixels, bool moving, const Cam
     }
     moving_scale_.measured(share, whole_ms(frame));
     if (share == 1) facts_.side_ms[main ? 1 : 0] = whole_ms(frame);
-    if (main) tell(std::move(frame));
+    if (main) tell(std::move(frame), share);
 }
 
-void Viewer::tell(FrameResult frame)
+void Viewer::tell(FrameResult frame, float share)
 {
     facts_.graph = std::move(frame.graph);
     model_.graph_images = gui::buffers_of(facts_.graph);
@@ -493,6 +494,7 @@ void Viewer::tell(FrameResult frame)
     cost.frame_ms = whole_ms(frame);
     cost.at_ms = 1000 * seconds_since(started_) - cost.frame_ms;
     cost.cpu_ms = frame.record_ms;
+    cost.scale = share;
     for (const graph::PassStats& p : frame.stats.passes)
         cost.passes.push_back({p.name, p.gpu_ms, p.draws, p.gpu_start_ms});
     for (const gui::HeapFacts& heap : facts_.heaps) cost.memory_bytes += heap.used;

@@ -104,7 +104,7 @@ private:
     /// Whether what stands is not yet drawn at full size.
     [[nodiscard]] bool unfinished() const;
     [[nodiscard]] std::string state_text(const Settings& settings, uvec2 pixels) const;
-    void tell(FrameResult frame);
+    void tell(FrameResult frame, float share);
 
     Window& window_;
     Engine& engine_;

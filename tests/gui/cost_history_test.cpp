@@ -34,12 +34,16 @@ TEST(cost_history, is_written_as_json)
 {
     CostHistory costs;
     costs.add(frame(100));
+    costs.shown(4);
+    costs.shown(5); // the same frame again, such as below a mouse that moves
     const Json json = Json::parse(costs.to_json("a device"));
     EXPECT_EQ(json["device"], "a device");
     ASSERT_EQ(json["frames"].size(), 1u);
     const Json& only = json["frames"][0];
     EXPECT_EQ(only["frame_ms"], 10);
     EXPECT_EQ(only["cpu_ms"], 2);
+    EXPECT_EQ(only["interface_ms"], 4);
+    EXPECT_EQ(only["scale"], 1);
     EXPECT_EQ(only["memory_bytes"], 1000);
     EXPECT_EQ(only["passes"][1]["name"], "lighting \"a\"");
     EXPECT_EQ(only["passes"][0]["gpu_ms"], 3);

@@ -58,18 +58,19 @@ protected:
         const std::string size = std::to_string(window_size.x) + "x" + std::to_string(window_size.y);
         return {"--camera", "hero", "--size", size, "--set", "ao.method=gtao"};
     }
-    /// Runs the program on the courtyard with further options and waits for its picture. What it says goes to log().
+    /// Runs the program on the courtyard, under validation, and waits for its picture. What it says goes to log().
     static void start(const std::vector<std::string>& options)
     {
-        std::vector<std::string> command{"sh",
-                                         "-c",
-                                         "exec \"$@\" 2>> log",
-                                         "sh",
-                                         std::string(ATRIUM_BIN) + "/atrium",
-                                         "view",
-                                         (folder / "courtyard" / "courtyard.toml").string(),
-                                         "--validate"};
-        command.insert(command.end(), options.begin(), options.end());
+        std::vector<std::string> all{(folder / "courtyard" / "courtyard.toml").string(), "--validate"};
+        all.insert(all.end(), options.begin(), options.end());
+        view(all);
+    }
+    /// The same on any scene: `arguments` of `atrium view`.
+    static void view(const std::vector<std::string>& arguments)
+    {
+        std::vector<std::string> command{"sh",  "-c", "exec \"$@\" 2>> log", "sh", std::string(ATRIUM_BIN) + "/atrium",
+                                         "view"};
+        command.insert(command.end(), arguments.begin(), arguments.end());
         delete program;
         program = new Process(
             command, folder,
