@@ -2,6 +2,7 @@
 
 #include "renderer/scene_upload.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 
@@ -92,6 +93,10 @@ void Ui::add(graph::Graph& g, graph::Tex window, const UiDraws& draws)
     state.vertex = "ui/ui.vert";
     state.fragment = "ui/ui.frag";
     state.blend = gpu::Blend::alpha;
+    const auto of_kind = [](gpu::GraphicsPipelineDesc like, std::uint32_t kind) {
+        like.constants = {kind};
+        return like;
+    };
     const graph::TexDesc& size = g.desc(window);
     const vec2 inv_size(1.0f / static_cast<float>(size.width), 1.0f / static_cast<float>(size.height));
     g.raster("ui")
@@ -100,11 +105,14 @@ void Ui::add(graph::Graph& g, graph::Tex window, const UiDraws& draws)
         .reads(vertices)
         .reads(indices, gpu::Access::index_read)
         .writes(window, graph::Load::keep)
-        .pipeline(state)
+        .pipeline(of_kind(state, shared::ui_plain))
+        .pipeline(of_kind(state, shared::ui_font))
+        .pipeline(of_kind(state, shared::ui_insets))
+        .pipeline(of_kind(state, shared::ui_textures))
         .record([commands = draws.commands, indices, inv_size](graph::Cmd& cmd) {
-            cmd.bind();
             cmd.bind_indices(indices);
             for (const UiCommand& c : commands) {
+                cmd.bind(std::min(c.image, shared::ui_textures));
                 cmd.scissor(c.clip_origin, c.clip_size);
                 cmd.push(shared::UiPush{inv_size, c.image});
                 cmd.draw_indexed(c.first_index, c.index_count, 0);

@@ -9,9 +9,52 @@
 #include <imgui/imgui.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace atrium::app {
 namespace {
+
+using Triangle = std::array<shared::UiVertex, 3>;
+
+/// What ImGui draws without a texture reads the font's one white texel.
+bool is_plain(const Triangle& triangle)
+{
+    const ImVec2 white = ImGui::GetIO().Fonts->TexUvWhitePixel;
+    return std::all_of(triangle.begin(), triangle.end(),
+                       [&](const shared::UiVertex& v) { return v.uv.x == white.x && v.uv.y == white.y; });
+}
+
+/// In pixels.
+float area(const Triangle& triangle)
+{
+    const vec2 a = triangle[1].position - triangle[0].position, b = triangle[2].position - triangle[0].position;
+    return 0.5f * std::abs(a.x * b.y - a.y * b.x);
+}
+
+/// Adds a command. Reading the font is most of what a pixel costs lavapipe, so large plain triangles and the plain ones
+/// that follow become commands of their own; small ones are not worth it.
+void append_command(UiDraws& out, const UiCommand& whole)
+{
+    constexpr float worth_it = 2000; // pixels
+    UiCommand run = whole;
+    run.index_count = 0;
+    const auto end_run = [&](std::uint32_t image) {
+        if (run.index_count > 0) out.commands.push_back(run);
+        run.first_index += run.index_count;
+        run.index_count = 0;
+        run.image = image;
+    };
+    for (std::uint32_t i = 0; i < whole.index_count; i += 3) {
+        Triangle triangle;
+        for (std::uint32_t k = 0; k < 3; ++k) triangle[k] = out.vertices[out.indices[whole.first_index + i + k]];
+        const bool plain = is_plain(triangle);
+        if (run.image == shared::ui_font && plain && area(triangle) >= worth_it) end_run(shared::ui_plain);
+        if (run.image == shared::ui_plain && !plain) end_run(shared::ui_font);
+        run.index_count += 3;
+    }
+    end_run(whole.image);
+}
 
 void append(UiDraws& out, const ImDrawList& list, uvec2 pixels)
 {
@@ -31,7 +74,7 @@ void append(UiDraws& out, const ImDrawList& list, uvec2 pixels)
         for (unsigned i = 0; i < c.ElemCount; ++i) {
             out.indices.push_back(first_vertex + c.VtxOffset + list.IdxBuffer[static_cast<int>(c.IdxOffset + i)]);
         }
-        out.commands.push_back(command);
+        append_command(out, command);
     }
 }
 

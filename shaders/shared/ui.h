@@ -4,9 +4,9 @@
 #include "types.h"
 SHARED_BEGIN
 
-// What a triangle is textured with: the font's coverage, the buffers beside the picture, or a texture of the scene's,
-// its slot counted on.
-const uint ui_font = 0, ui_insets = 1, ui_textures = 2;
+// What a triangle is textured with: nothing, the font's coverage, the buffers beside the picture, or a texture of the
+// scene's, its slot counted on.
+const uint ui_plain = 0, ui_font = 1, ui_insets = 2, ui_textures = 3;
 
 struct UiVertex {
     vec2 position; // pixels from the window's upper left
