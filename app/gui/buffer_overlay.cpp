@@ -194,7 +194,7 @@ void draw_full_view(ViewModel& model, const std::string& name, const FrameFacts&
 {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const BufferFacts& shown = facts_of(facts, 0, name);
-    const float left = panel_width * scale; // what panels leave free begins there
+    const float left = panel_end * scale;
     if (shown.absent)
         draw_absence(*ImGui::GetBackgroundDrawList(), {0.5f * (left + display.x), 0.5f * display.y}, display.x - left);
     ImGui::SetNextWindowPos({display.x - margin * scale, margin * scale}, ImGuiCond_Always, {1, 0});

@@ -121,7 +121,6 @@ public:
         pointed_ = hovered ? box_at(mouse) : none;
 
         list_.PushClipRect(im(from_), im(from_ + size_), true);
-        list_.AddRectFilled(im(from_), im(from_ + size_), ImGui::GetColorU32(ImGuiCol_TitleBg), 4 * scale_);
         for (const bool marked : {false, true}) {
             for (const GraphLine& line : window_.drawing.lines) {
                 if (is_marked(line) == marked) draw_line(line, marked);
@@ -274,7 +273,7 @@ void draw_graph_window(ViewModel& model, const GraphFacts& graph, void* insets, 
 {
     if (!window.open) return;
     const ImVec2 display = ImGui::GetIO().DisplaySize;
-    const float left = std::min((panel_width + 2 * margin) * scale, 0.5f * display.x), edge = margin * scale;
+    const float left = std::min(panel_end * scale, 0.5f * display.x), edge = margin * scale;
     ImGui::SetNextWindowPos({left, edge}, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSize({display.x - left - edge, 0.58f * display.y}, ImGuiCond_FirstUseEver); // above the insets
     ImGui::SetNextWindowSizeConstraints({240 * scale, 160 * scale}, {display.x, display.y});

@@ -36,7 +36,7 @@ float width_in(const Space& space, std::size_t columns, std::size_t count)
 InsetLayout lay_out_insets(uvec2 window, float scale, std::size_t count)
 {
     const vec2 size = vec2(window) / scale;
-    const float left = std::min(panel_width + 2 * margin, std::max(size.x - step_of(narrowest, {}).x, 0.0f));
+    const float left = std::min(panel_end, std::max(size.x - step_of(narrowest, {}).x, 0.0f));
     const Space space{{size.x - left, size.y - reserved}, std::min(size.y / std::max(size.x, 1.0f), 1.0f)};
     InsetLayout out;
     float width = narrowest;

@@ -1,5 +1,7 @@
 #include "app/gui/notice.hpp"
 
+#include "app/gui/panels.hpp"
+
 #include <imgui/imgui.h>
 
 #include <algorithm>
@@ -8,10 +10,10 @@ namespace atrium::gui {
 
 bool draw_notice(Corner corner, const std::string& text, const char* button, float scale)
 {
-    constexpr float from_edge = 8, panels = 376, narrowest = 280, widest = 520;
+    constexpr float from_edge = 8, narrowest = 280, widest = 520;
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float margin = from_edge * scale;
-    const float beside = std::clamp(display.x - panels * scale - margin, narrowest * scale, widest * scale);
+    const float beside = std::clamp(display.x - panel_end * scale - margin, narrowest * scale, widest * scale);
     const bool top = corner == Corner::top_right;
     ImGui::SetNextWindowPos({display.x - margin, top ? margin : display.y - margin}, ImGuiCond_Always,
                             {1, top ? 0.0f : 1.0f});

@@ -101,7 +101,7 @@ void draw_setting_tab(ViewModel& model, PanelState& state, bool is_cpu)
 
     if (flowing_button("open all", true)) state.headings = Headings::open;
     if (flowing_button("close all", false)) state.headings = Headings::close;
-    draw_split_controls(model);
+    draw_split_controls(model, state.scale);
 
     std::vector<std::string> views = model.offered_buffers();
     views.insert(views.begin(), ""); // the picture
@@ -171,9 +171,8 @@ void draw_tabs(ViewModel& model, const FrameFacts& facts, PanelState& state, flo
 
 void draw_panels(ViewModel& model, const FrameFacts& facts, PanelState& state)
 {
-    constexpr float from_edge = 8;
     const ImVec2 display = ImGui::GetIO().DisplaySize;
-    const float margin = from_edge * state.scale;
+    const float margin = panel_margin * state.scale;
     ImGui::SetNextWindowPos({margin, margin});
     ImGui::SetNextWindowSize({std::min(panel_width * state.scale, display.x - 2 * margin), display.y - 2 * margin});
     constexpr ImGuiWindowFlags flags =

@@ -82,7 +82,9 @@ struct PanelState {
     Headings headings = Headings::as_they_are; ///< of the settings, in the next frame that shows them
 };
 
-inline constexpr float panel_width = 372; ///< pixels at scale 1, where the display has as many
+// Pixels at scale 1, where the display has as many.
+inline constexpr float panel_width = 372, panel_margin = 8;                   ///< the margin lies all around it
+inline constexpr float panel_end = panel_margin + panel_width + panel_margin; ///< where the free view begins
 
 /// Draws them all. At most panel_width x scale pixels wide and within the display. Completes edits: checkpoint() where
 /// nothing is being dragged or typed.

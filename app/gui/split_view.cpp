@@ -48,10 +48,13 @@ std::vector<std::string> differences(const Settings& first, const Settings& seco
     return out;
 }
 
-void draw_split_controls(ViewModel& model)
+void draw_split_controls(ViewModel& model, float scale)
 {
     if (!model.split) {
-        if (flowing_button("split view", false)) model.split = Split{model.settings};
+        if (flowing_button("split view", false)) {
+            const float width = ImGui::GetIO().DisplaySize.x, left = std::min(panel_end * scale, 0.5f * width);
+            model.split = Split{model.settings, 0.5f * (left + width) / width}; // in the middle of what is free
+        }
         tooltip("Left of a line the settings as they are now, right of it as you change them");
         return;
     }

@@ -12,7 +12,7 @@ namespace atrium::gui {
 [[nodiscard]] std::vector<std::string> differences(const Settings& first, const Settings& second);
 
 /// Buttons that split the view, exchange its sides, or make one picture of it again.
-void draw_split_controls(ViewModel& model);
+void draw_split_controls(ViewModel& model, float scale);
 
 /// In a split view: the line between both sides, which the mouse can drag, and what stands at each and takes how long.
 void draw_divider(ViewModel& model, const FrameFacts& facts, float scale);

@@ -89,7 +89,7 @@ TEST_F(Viewed, a_split_view_shows_two_settings_with_a_divider)
     desktop->tap("o"); // of the right side: ambient occlusion by another method
     ASSERT_TRUE(settle());
     const Image8 halves = desktop->grab(window);
-    const ivec2 left_from{panel + 4, 60}, middle{window_size.x / 2, 60}, quarter{3 * window_size.x / 4, 60};
+    const ivec2 left_from{panel + 4, 60}, middle{(388 + window_size.x) / 2, 60}, farther{780, 60};
     const auto differ = [&](const Image8& other, ivec2 from, int to) {
         return mean_difference(part(whole, from, {to - 12, window_size.y}),
                                part(other, from, {to - 12, window_size.y}));
@@ -98,11 +98,11 @@ TEST_F(Viewed, a_split_view_shows_two_settings_with_a_divider)
     EXPECT_GT(differ(halves, middle + ivec2(12, 0), window_size.x), 0.1);
     picture("window-split");
 
-    desktop->drag(window, {window_size.x / 2, 400}, {3 * window_size.x / 4, 400}, 1);
+    desktop->drag(window, {middle.x, 400}, {farther.x, 400}, 1);
     ASSERT_TRUE(settle());
     const Image8 moved = desktop->grab(window);
-    EXPECT_EQ(differ(moved, middle + ivec2(12, 0), quarter.x), 0);
-    EXPECT_GT(differ(moved, quarter + ivec2(12, 0), window_size.x), 0.1);
+    EXPECT_EQ(differ(moved, middle + ivec2(12, 0), farther.x), 0);
+    EXPECT_GT(differ(moved, farther + ivec2(12, 0), window_size.x), 0.1);
 
     desktop->click(window, one_view);
     desktop->tap("z", "Control_L");
@@ -156,6 +156,7 @@ TEST_F(Viewed, a_camera_path_is_made_played_and_saved)
                                 "/atrium render scene.toml --path path0 --frames 2 --size 32x18 -o w.#.png --quiet";
     EXPECT_EQ(std::system(command.c_str()), 0);
     EXPECT_TRUE(fs::exists(folder / "w.1.png"));
+    click({60, 817}); // puts the message away
     click({290, remove});
     click(hero);
     desktop->resize(window, window_size);
@@ -354,6 +355,7 @@ TEST_F(Viewed, writes_what_frames_cost)
         desktop->click(window, at);
         EXPECT_TRUE(settle());
     };
+    click({60, 517}); // puts the screenshots' message away
     click(tabs::costs);
     picture("window-costs");
     click({65, 345});  // save as JSON
