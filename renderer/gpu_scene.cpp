@@ -105,7 +105,7 @@ std::vector<GpuScene::Bases> GpuScene::bases_of(std::span<const BakeFile* const>
 
 GpuScene::GpuScene(const gpu::Device& device, gpu::Descriptors& descriptors, std::span<const BakeFile* const> bakes,
                    std::span<const Instance> instances, std::span<const MaterialOverride> overrides, UploadPath path)
-    : device_(device), descriptors_(descriptors)
+    : GpuScene(device, descriptors) // so that what follows gives its texture slots back where it fails
 {
     load_bulk(bakes, path);
     make_tables(bakes, instances, overrides);

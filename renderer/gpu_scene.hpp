@@ -60,6 +60,7 @@ public:
     [[nodiscard]] std::uint32_t material_of_task(std::uint32_t ordered) const { return sorted_[ordered].material; }
 
 private:
+    GpuScene(const gpu::Device& device, gpu::Descriptors& descriptors) : device_(device), descriptors_(descriptors) {}
     struct Task {
         shared::DrawTask draw{};
         vec3 centre{0}; ///< of its bounding sphere, world

@@ -16,6 +16,7 @@ namespace {
 template <class T>
 void refill(gpu::Buffer& buffer, const std::vector<T>& items)
 {
+    if (items.empty()) return;
     std::memcpy(buffer.mapped().data(), items.data(), items.size() * sizeof(T));
     buffer.flush();
 }

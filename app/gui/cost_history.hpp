@@ -37,8 +37,8 @@ public:
     void shown(double interface_ms);
     [[nodiscard]] const std::deque<FrameCost>& frames() const { return frames_; }
 
-    /// {"device", "frames": [{"at_ms", "frame_ms", "cpu_ms", "interface_ms", "scale", "memory_bytes", "passes": [{"name", "gpu_ms",
-    /// "gpu_start_ms", "draws"}]}]}
+    /// {"device", "frames": [{"at_ms", "frame_ms", "cpu_ms", "interface_ms", "scale", "memory_bytes", "passes":
+    /// [{"name", "gpu_ms", "gpu_start_ms", "draws"}]}]}
     [[nodiscard]] std::string to_json(const std::string& device) const;
     /// Chrome's Trace Event Format, which ui.perfetto.dev and chrome://tracing open: complete events in microseconds on
     /// a thread for the processor and one for the device, and memory as a counter. A pass begins where its frame's

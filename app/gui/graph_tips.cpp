@@ -25,10 +25,9 @@ std::string layers_text(const GraphResourceFacts& image)
 /// The first of them; of the rest, how many.
 void draw_lines(std::vector<std::string> lines)
 {
-    const std::size_t all = lines.size();
     lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
     for (std::size_t i = 0; i < std::min(lines.size(), most_lines); ++i) ImGui::TextUnformatted(lines[i].c_str());
-    if (lines.size() > most_lines) ImGui::TextDisabled("and %d more", static_cast<int>(all - most_lines));
+    if (lines.size() > most_lines) ImGui::TextDisabled("and %d more", static_cast<int>(lines.size() - most_lines));
 }
 
 std::string use_text(const GraphUseFacts& use, const std::string& other)

@@ -94,7 +94,7 @@ public:
         const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
         from_ = window.canvas = {at.x, at.y};
         size_ = glm::max(vec2(room.x, room.y), vec2(1));
-        for (const GraphPassFacts& pass : graph.passes) dearest_ = std::max(dearest_, pass.gpu_ms);
+        for (const GraphPassFacts& pass : graph.passes) costliest_ = std::max(costliest_, pass.gpu_ms);
     }
 
     /// All of it, or, `readable`, as much as can still be read, from the left.
@@ -212,8 +212,8 @@ private:
     /// Along the foot of a pass: its time beside the dearest one's.
     void draw_share(const GraphBox& box, const vec2& low, const vec2& high, float alpha)
     {
-        if (dearest_ <= 0) return;
-        const float share = static_cast<float>(std::min(gpu_ms(graph_, box) / dearest_, 1.0));
+        if (costliest_ <= 0) return;
+        const float share = static_cast<float>(std::min(gpu_ms(graph_, box) / costliest_, 1.0));
         const float height = 3 * window_.zoom * scale_;
         list_.AddRectFilled({low.x, high.y - height}, {low.x + share * (high.x - low.x), high.y},
                             ImGui::GetColorU32(ImGuiCol_SliderGrab, alpha));
@@ -263,7 +263,7 @@ private:
     float scale_;
     ImDrawList& list_;
     vec2 from_{0}, size_{0};     ///< on the screen
-    double dearest_ = 0;         ///< ms of a pass
+    double costliest_ = 0;       ///< ms of a pass
     std::size_t pointed_ = none; ///< box under the mouse
 };
 

@@ -5,7 +5,6 @@
 #include "app/gui/ui_image.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -17,17 +16,11 @@
 namespace atrium::gui {
 namespace {
 
-bool contains(std::string_view name, std::string_view part)
-{
-    const auto same = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
-    return std::search(name.begin(), name.end(), part.begin(), part.end(), same) != name.end();
-}
-
 std::vector<std::size_t> matching(const ViewModel& model, std::string_view filter)
 {
     std::vector<std::size_t> out;
     for (std::size_t i = 0; i < model.scene_materials.size(); ++i)
-        if (contains(model.scene_materials[i].name, filter)) out.push_back(i);
+        if (contains_words(model.scene_materials[i].name, filter)) out.push_back(i);
     return out;
 }
 

@@ -100,7 +100,8 @@ std::optional<std::filesystem::path> OpenDialog::draw(std::span<const std::files
         ImGui::OpenPopup(title);
         go_on_with(typed_);
     }
-    if (!begin_dialog(scale)) return std::nullopt;
+    open_ = begin_dialog(scale);
+    if (!open_) return std::nullopt;
 
     std::optional<std::filesystem::path> chosen;
     const bool entered = draw_field();

@@ -137,7 +137,11 @@ std::vector<KeyPress> Gui::take_input()
         }
     }
     // In place of where and how the mouse is by now.
+#if IMGUI_VERSION_NUM >= 18700
+    io.AddMousePosEvent(mouse_.x, mouse_.y);
+#else
     io.MousePos = {mouse_.x, mouse_.y};
+#endif
     for (std::size_t i = 0; i < std::size(io.MouseDown); ++i) io.MouseDown[i] = buttons_[i];
     return presses;
 }

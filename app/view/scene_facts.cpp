@@ -42,8 +42,6 @@ gui::SceneFacts gather_facts(const SceneDescription& description, const GpuScene
         for (const Material& material : bake->scene().materials) {
             gui::MaterialFacts facts;
             facts.textures = textures_of(material, bake->scene());
-            const std::uint32_t slot = scene.base_color_slot(out.materials.size());
-            if (slot != shared::no_texture_slot) facts.image = shared::ui_textures + slot;
             out.materials.push_back(std::move(facts));
         }
         for (const Texture& texture : bake->scene().textures) out.texture_bytes += texture.size;
@@ -55,7 +53,16 @@ gui::SceneFacts gather_facts(const SceneDescription& description, const GpuScene
         for (std::size_t i = 0; i < meshes.size(); ++i)
             if (!instance.mesh || *instance.mesh == i) count(meshes[i], first_materials[instance.bake], out);
     }
+    find_images(out, scene);
     return out;
+}
+
+void find_images(gui::SceneFacts& facts, const GpuScene& scene)
+{
+    for (std::size_t i = 0; i < facts.materials.size(); ++i) {
+        const std::uint32_t slot = scene.base_color_slot(i);
+        if (slot != shared::no_texture_slot) facts.materials[i].image = shared::ui_textures + slot;
+    }
 }
 
 } // namespace atrium::app

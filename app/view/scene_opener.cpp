@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <stdexcept>
 #include <system_error>
 
 namespace atrium::app {
@@ -23,12 +24,12 @@ SceneOpener::SceneOpener(Engine& engine, const SceneOptions& options, const Fram
 
 void SceneOpener::open(const std::filesystem::path& file)
 {
-    cancel();
     std::error_code unknown; // is told when it is read
     if (std::filesystem::is_directory(file, unknown)) {
         throw Error(ExitCode::input, "a folder is not a scene", file.string(), "one file is opened at a time",
                     "give a bake (.atrium), a scene file (.toml) or an OBJ in it");
     }
+    cancel();
     Opening& opening = opening_.emplace();
     opening.file = file;
     looks_ = 0;
@@ -54,6 +55,7 @@ bool SceneOpener::ready()
     constexpr int looks_of_a_note = 3; // its window is laid out in one frame and seen in the next
     std::optional<ObjBake>& bake = opening_->bake;
     if (bake && !bake->done()) return false;
+    if (bake) opening_->baked = bake->bake();
     bake.reset();
     return ++looks_ > looks_of_a_note;
 }
@@ -63,7 +65,7 @@ std::optional<SceneStart> SceneOpener::update()
     if (!opening_) return std::nullopt;
     try {
         if (!ready()) return std::nullopt;
-        SceneStart start = load(opening_->file);
+        SceneStart start = load(*opening_);
         cancel();
         return start;
     } catch (...) {
@@ -72,11 +74,20 @@ std::optional<SceneStart> SceneOpener::update()
     }
 }
 
-SceneStart SceneOpener::load(const std::filesystem::path& file)
+void SceneOpener::go_back()
+{
+    try {
+        engine_.load(scene_.description());
+    } catch (const Error& error) { // nothing is left to be shown
+        throw std::runtime_error(error.text());
+    }
+}
+
+SceneStart SceneOpener::load(const Opening& opening)
 {
     const auto from = std::chrono::steady_clock::now();
     SceneOptions options = options_;
-    options.scene = file;
+    options.scene = opening.baked.value_or(opening.file);
     SceneInput scene = read_scene_input(options, frame_);
     scene.config.camera.reset();
     scene.config.lights.reset();
@@ -88,12 +99,12 @@ SceneStart SceneOpener::load(const std::filesystem::path& file)
     try {
         engine_.load(description);
     } catch (const Error&) { // such as one too large for the device
-        engine_.load(scene_.description());
+        go_back();
         throw;
     }
     gui::SceneFacts facts = gather_facts(description, engine_.scene(), ms_since(from));
     scene_ = std::move(scene);
-    return {scene_path(file), std::move(frame), scene_.file, std::move(facts)};
+    return {scene_path(opening.file), std::move(frame), scene_.file, std::move(facts)};
 }
 
 } // namespace atrium::app

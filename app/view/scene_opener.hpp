@@ -39,16 +39,20 @@ public:
     [[nodiscard]] std::string progress() const;
 
     /// To be called between two frames: puts the scene into the engine once it can. Throws Error where it cannot be
-    /// shown; the engine then has the scene of before.
+    /// shown; the engine then has the scene of before, whose textures may stand elsewhere: find_images(). Any other
+    /// exception: it has none.
     [[nodiscard]] std::optional<SceneStart> update();
 
 private:
     struct Opening {
         std::filesystem::path file;
-        std::optional<ObjBake> bake; ///< until it is done
+        std::optional<ObjBake> bake;                ///< until it is done
+        std::optional<std::filesystem::path> baked; ///< then
     };
     [[nodiscard]] bool ready();
-    [[nodiscard]] SceneStart load(const std::filesystem::path& file);
+    [[nodiscard]] SceneStart load(const Opening& opening);
+    /// To the scene of before. Throws std::runtime_error.
+    void go_back();
 
     Engine& engine_;
     SceneOptions options_;

@@ -1,14 +1,12 @@
 #include "app/view/viewer.hpp"
 
-#include "app/config.hpp"
 #include "app/gui/framing.hpp"
-#include "app/gui/graph_images.hpp"
-#include "app/gui/inset_layout.hpp"
 #include "app/gui/notice.hpp"
 #include "app/gui/split_view.hpp"
 #include "app/view/comparison.hpp"
 #include "app/view/numbered_file.hpp"
 #include "app/view/picking.hpp"
+#include "app/view/scene_facts.hpp"
 #include "app/view/screenshot.hpp"
 #include "renderer/core/atomic_file.hpp"
 #include "renderer/core/error.hpp"
@@ -19,7 +17,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <utility>
 
 namespace atrium::app {
@@ -27,40 +24,21 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double moving_goal_ms = 60; ///< a frame while something moves
-constexpr int settle_frames = 3;      ///< of the interface after an event: hovers and layouts take two
-constexpr double idle_wait = 0.5;     ///< s, between looks at what has no events
-constexpr double job_wait = 0.1;      ///< s, the same while there is work beside the window
+constexpr int settle_frames = 3;  ///< of the interface after an event: hovers and layouts take two
+constexpr double idle_wait = 0.5; ///< s, between looks at what has no events
+constexpr double job_wait = 0.1;  ///< s, the same while there is work beside the window
 
 double seconds_since(Clock::time_point start)
 {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Building, recording, and waiting for the device.
-double whole_ms(const FrameResult& frame)
-{
-    return frame.record_ms + frame.stats.wall_ms - frame.stats.cpu_ms;
-}
-
 } // namespace
 
-void MovingScale::measured(float share, double ms)
-{
-    const double full = ms / std::max(static_cast<double>(share * share), 0.01);
-    full_ms_ = full_ms_ == 0 ? full : 0.5 * (full_ms_ + full);
-}
-
-float MovingScale::choose(double goal_ms) const
-{
-    if (full_ms_ <= goal_ms) return 1;
-    const double share = std::sqrt(goal_ms / full_ms_);
-    return static_cast<float>(std::clamp(std::floor(share * 20) / 20, 0.2, 1.0));
-}
-
 Viewer::Viewer(Window& window, Engine& engine, SceneOpener& opener, const ViewerStart& start)
-    : window_(window), engine_(engine), opener_(opener), gui_(window, engine), keys_(start.keys),
-      reload_(engine, start.shaders), continuous_(start.continuous), recent_(start.recent), bookmarks_(start.bookmarks)
+    : window_(window), engine_(engine), opener_(opener), gui_(window, engine), pictures_(engine, model_, facts_),
+      keys_(start.keys), reload_(engine, start.shaders), continuous_(start.continuous), recent_(start.recent),
+      bookmarks_(start.bookmarks)
 {
     facts_.device = engine.device().report().name;
     facts_.is_cpu = engine.device().report().is_cpu;
@@ -74,7 +52,6 @@ Viewer::Viewer(Window& window, Engine& engine, SceneOpener& opener, const Viewer
 
 void Viewer::begin(const SceneStart& start)
 {
-    request_ = start.frame;
     const std::span<const Material> materials = engine_.scene().materials();
     model_.scene_materials.assign(materials.begin(), materials.end());
     model_.materials = spelled_out(materials, start.frame.materials);
@@ -93,8 +70,7 @@ void Viewer::begin(const SceneStart& start)
     light_view_ = {};
     flight_ = gui::FlyCamera(engine_.scene().bounds().diagonal());
     handles_ = {};
-    moving_scale_ = {};
-    for (KeptPicture& kept : kept_) kept.share = 0; // what is drawn is of another scene
+    pictures_.begin(start.frame);
     new_scene_ = true;
 }
 
@@ -124,6 +100,7 @@ bool Viewer::follow_opener()
             begin(*start);
         }
     } catch (const Error& error) {
+        find_images(facts_.scene, engine_.scene());
         refuse(error);
     }
     const std::string progress = opener_.progress();
@@ -141,20 +118,21 @@ void Viewer::run()
 {
     Clock::time_point last = Clock::now();
     int unsettled = settle_frames;
-    bool moving = false, seen = false;
+    bool moving = false, seen = false, hidden = false;
     while (!window_.closed()) {
-        const bool busy = continuous_ || moving || unsettled > 0 || unfinished();
+        const bool busy = !hidden && (continuous_ || moving || unsettled > 0 || pictures_.unfinished());
         const double wait = reload_.busy() || opener_.busy() ? job_wait : idle_wait;
         if (window_.poll(busy ? 0 : wait)) unsettled = settle_frames;
         if (follow_opener()) unsettled = settle_frames;
         if (reload_.update()) {
-            for (KeptPicture& kept : kept_) kept.share = 0; // out of date, whatever they show
+            pictures_.invalidate();
             unsettled = settle_frames;
         }
         const double passed = std::min(seconds_since(last), 0.1); // after a wait nothing has moved for so long
         last = Clock::now();
         const uvec2 pixels = prepare_window();
-        if (pixels.x == 0) continue; // minimised
+        hidden = pixels.x == 0; // minimised
+        if (hidden) continue;
         if (!busy && unsettled == 0) continue;
 
         handle_keys(gui_.begin(pixels), pixels);
@@ -233,15 +211,10 @@ void Viewer::drag_light(vec2 pixels, bool along)
     if (const auto refused = model_.set_light(*model_.selected, light)) panels_.message = *refused;
 }
 
-bool Viewer::unfinished() const
-{
-    return kept_[0].share < 1 || (model_.split && kept_[1].share < 1);
-}
-
 void Viewer::handle_keys(const std::vector<KeyPress>& presses, uvec2 pixels)
 {
     for (const KeyPress& press : presses) {
-        if (ImGui::GetIO().WantTextInput) continue;
+        if (ImGui::GetIO().WantTextInput || open_dialog_.is_open()) continue;
         if (const gui::SettingStep* step = keys_.step_of(press)) {
             gui::take_step(model_.list, *step);
             model_.checkpoint();
@@ -261,7 +234,8 @@ void Viewer::act(Action action, uvec2 pixels)
         panels_.show = gui::Tab::help;
         break;
     case Action::graph:
-        panels_.graph.open = !panels_.graph.open;
+        panels_.graph.open = !show_gui_ || !panels_.graph.open;
+        show_gui_ = true;
         break;
     case Action::full_screen:
         window_.toggle_full_screen();
@@ -330,7 +304,8 @@ void Viewer::pick_material(uvec2 pixels)
     if (!ImGui::IsMouseReleased(ImGuiMouseButton_Left) || moved > slip * gui_.scale()) return;
     const vec2 mouse(io.MousePos.x, io.MousePos.y);
     try {
-        model_.selected_material = material_at(engine_, wanted_picture(pixels), uvec2(glm::max(mouse, vec2(0))));
+        model_.selected_material =
+            material_at(engine_, pictures_.wanted_picture(pixels), uvec2(glm::max(mouse, vec2(0))));
         panels_.materials.filter.clear();
         panels_.materials.scroll = true;
     } catch (const Error& error) {
@@ -372,57 +347,16 @@ void Viewer::draw_notices()
     if (gui::draw_notice(gui::Corner::top_right, progress_, button, gui_.scale())) opener_.cancel();
 }
 
-FrameRequest Viewer::wanted_frame(const Settings& settings, uvec2 size) const
+void Viewer::draw_scene(uvec2 pixels, bool moving)
 {
-    FrameRequest wanted = request_;
-    wanted.settings = settings;
-    wanted.camera = wanted.previous_camera = model_.camera;
-    wanted.lights = model_.lights;
-    wanted.materials = model_.materials;
-    wanted.outlined = outlined();
-    wanted.size = size;
-    return wanted;
-}
-
-Insets Viewer::wanted_insets(uvec2 pixels) const
-{
-    Insets wanted;
-    if (!show_gui_) return wanted;
-    wanted.size = gui::lay_out_insets(pixels, gui_.scale(), model_.pinned.size()).image;
-    for (const gui::PinnedBuffer& p : model_.pinned)
-        wanted.buffers.push_back({parse_aov(p.name, model_.lights), p.view});
-    return wanted;
-}
-
-std::string Viewer::state_text(const Settings& settings, uvec2 pixels) const
-{
-    std::string text;
-    for (const Inset& inset : wanted_insets(pixels).buffers) {
-        BufferViewSettings view = inset.view;
-        SettingList keys;
-        describe(keys, view);
-        text += aov_name(inset.aov, model_.lights);
-        for (const Setting& key : keys.all()) text += key.get();
-    }
-    for (const auto& [key, value] : describe_frame(wanted_frame(settings, {16, 9}), 0)) text += key + value;
-    if (const auto material = outlined()) text += fmt::format("outlined = {}", *material);
-    return text;
-}
-
-FrameRequest Viewer::wanted_picture(uvec2 size) const
-{
-    FrameRequest wanted = wanted_frame(model_.settings, size);
-    wanted.keep_picture.reset();
-    wanted.outlined.reset();
-    wanted.remember = wanted.keep_buffers = wanted.want_graph = false;
-    wanted.insets = {};
-    return wanted;
+    if (const auto refused = pictures_.draw({pixels, gui_.scale(), show_gui_, outlined(), moving, continuous_}))
+        panels_.message = *refused;
 }
 
 void Viewer::write_pictures(std::string (*write)(Engine&, FrameRequest), uvec2 pixels)
 {
     try {
-        panels_.message = write(engine_, wanted_picture(pixels));
+        panels_.message = write(engine_, pictures_.wanted_picture(pixels));
     } catch (const Error& error) {
         panels_.message = error.text();
     }
@@ -439,74 +373,6 @@ void Viewer::write_costs(gui::CostFile kind)
     } catch (const Error& error) {
         panels_.message = error.text();
     }
-}
-
-void Viewer::draw_scene(uvec2 pixels, bool moving)
-{
-    const Camera before = request_.camera;
-    draw_picture(PictureSlot::main, pixels, moving, before);
-    if (model_.split) draw_picture(PictureSlot::other, pixels, moving, before);
-}
-
-void Viewer::draw_picture(PictureSlot slot, uvec2 pixels, bool moving, const Camera& before)
-{
-    const bool main = slot == PictureSlot::main;
-    const Settings& settings = main ? model_.settings : model_.split->other;
-    KeptPicture& kept = kept_[main ? 0 : 1];
-    const std::string wanted = state_text(settings, pixels);
-    const bool same = wanted == kept.state && pixels == kept.pixels;
-    const float chosen = model_.settings.view.moving_scale;
-    const double goal_ms = model_.split ? 0.5 * moving_goal_ms : moving_goal_ms;
-    const float share = moving && !same ? (chosen > 0 ? chosen : moving_scale_.choose(goal_ms)) : 1;
-    if (same && kept.share >= share && !continuous_) return;
-
-    request_ = wanted_frame(settings, glm::max(uvec2(share * vec2(pixels)), uvec2(16)));
-    request_.previous_camera = before;
-    request_.want_picture = request_.want_hdr = false;
-    request_.keep_picture = slot;
-    if (main) request_.insets = wanted_insets(pixels);
-    request_.keep_buffers = main && share == 1;
-    request_.want_graph = main;
-    request_.want_statistics = share == 1;
-    request_.remember = share < 1; // what stands is drawn as `render` draws it, whatever was before
-    const bool first = main && kept.state.empty();
-    kept = {wanted, pixels, share};
-    FrameResult frame;
-    try {
-        frame = engine_.render(request_);
-    } catch (const Error& error) { // such as a view that does not exist: what was shown before stays
-        if (first) throw;
-        panels_.message = error.text();
-        kept.share = 1;
-        return;
-    }
-    moving_scale_.measured(share, whole_ms(frame));
-    if (share == 1) facts_.side_ms[main ? 1 : 0] = whole_ms(frame);
-    if (main) tell(std::move(frame), share);
-}
-
-void Viewer::tell(FrameResult frame, float share)
-{
-    facts_.graph = std::move(frame.graph);
-    model_.graph_images = gui::buffers_of(facts_.graph);
-    if (request_.want_statistics) facts_.triangles = frame.triangles;
-    gui::FrameCost cost;
-    cost.frame_ms = whole_ms(frame);
-    cost.at_ms = 1000 * seconds_since(started_) - cost.frame_ms;
-    cost.cpu_ms = frame.record_ms;
-    cost.scale = share;
-    for (const graph::PassStats& p : frame.stats.passes)
-        cost.passes.push_back({p.name, p.gpu_ms, p.draws, p.gpu_start_ms});
-    for (const gui::HeapFacts& heap : facts_.heaps) cost.memory_bytes += heap.used;
-    facts_.costs.add(std::move(cost));
-    facts_.buffers.clear();
-    const auto shown = [&](const std::string& name) {
-        if (facts_.buffers.size() < frame.buffers.size()) {
-            facts_.buffers.push_back({name, frame.buffers[facts_.buffers.size()]});
-        }
-    };
-    if (!request_.settings.debug.view.empty()) shown(model_.shown_buffer());
-    for (const gui::PinnedBuffer& p : model_.pinned) shown(p.name);
 }
 
 } // namespace atrium::app

@@ -10,6 +10,7 @@
 #include "app/view/gui.hpp"
 #include "app/view/key_bindings.hpp"
 #include "app/view/scene_opener.hpp"
+#include "app/view/scene_pictures.hpp"
 #include "app/view/shader_reload.hpp"
 #include "renderer/core/error.hpp"
 
@@ -22,19 +23,6 @@
 #include <vector>
 
 namespace atrium::app {
-
-/// At which size to draw while something moves, so that it stays fluent. Time goes with the number of pixels, beyond a
-/// part that does not.
-class MovingScale {
-public:
-    /// A frame of `share` of the window along each side took so long.
-    void measured(float share, double ms);
-    /// 0.2 to 1, in steps coarse enough not to make new images for every frame.
-    [[nodiscard]] float choose(double goal_ms) const;
-
-private:
-    double full_ms_ = 0;
-};
 
 using BookmarksOfScenes = std::map<std::string, gui::Bookmarks>; ///< by scene_path()
 
@@ -91,20 +79,7 @@ private:
     /// Lets `write` draw what the model says, as `render` draws it, into files that it names in its answer.
     void write_pictures(std::string (*write)(Engine&, FrameRequest), uvec2 pixels);
     void write_costs(gui::CostFile kind);
-    /// The buffers to show beside the picture, in a window of so many pixels; none while the interface is hidden.
-    [[nodiscard]] Insets wanted_insets(uvec2 pixels) const;
-    /// A request for what is to be shown now, at that size.
-    [[nodiscard]] FrameRequest wanted_frame(const Settings& settings, uvec2 size) const;
-    /// The same to be read back, which leaves what the window shows as it is.
-    [[nodiscard]] FrameRequest wanted_picture(uvec2 size) const;
-    /// Draws the scene, at both sides of a split view, where what is shown is not what is wanted.
     void draw_scene(uvec2 pixels, bool moving);
-    /// The same at one side; `before`: the camera of what is shown.
-    void draw_picture(PictureSlot slot, uvec2 pixels, bool moving, const Camera& before);
-    /// Whether what stands is not yet drawn at full size.
-    [[nodiscard]] bool unfinished() const;
-    [[nodiscard]] std::string state_text(const Settings& settings, uvec2 pixels) const;
-    void tell(FrameResult frame, float share);
 
     Window& window_;
     Engine& engine_;
@@ -113,28 +88,20 @@ private:
     gui::ViewModel model_;
     gui::PanelState panels_;
     gui::FrameFacts facts_;
+    ScenePictures pictures_;
     gui::FlyCamera flight_;
     gui::LightHandles handles_;
     gui::LightView light_view_;
     gui::OpenDialog open_dialog_;
     KeyBindings keys_;
     ShaderReload reload_;
-    FrameRequest request_;
-    MovingScale moving_scale_;
     gpu::PresentMode vsync_ = gpu::PresentMode::on; ///< that was last asked for
     bool continuous_, show_gui_ = true;
-    struct KeptPicture {
-        std::string state; ///< state_text() of what it shows
-        uvec2 pixels{0};   ///< of the window for which it was drawn
-        float share = 0;   ///< of them along each side
-    };
-    std::array<KeptPicture, 2> kept_;           ///< by PictureSlot
     std::vector<std::filesystem::path> recent_; ///< scenes, newest first
     BookmarksOfScenes bookmarks_;               ///< as they were when their scenes were left
     bool new_scene_ = false;                    ///< the window's title waits for its first picture
     std::string progress_;                      ///< of the opener, as it is shown
     std::optional<vec2> drag_from_;
-    std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 };
 
 } // namespace atrium::app

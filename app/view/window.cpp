@@ -36,6 +36,14 @@ Window& self(GLFWwindow* window)
     return *static_cast<Window*>(glfwGetWindowUserPointer(window));
 }
 
+/// Whether a button is held: what was taken in the window then goes on outside.
+bool drags(GLFWwindow* window)
+{
+    for (int button = 0; button <= GLFW_MOUSE_BUTTON_LAST; ++button)
+        if (glfwGetMouseButton(window, button) == GLFW_PRESS) return true;
+    return false;
+}
+
 /// The monitor that holds the window's middle.
 GLFWmonitor* monitor_of(const WindowPlace& place)
 {
@@ -81,7 +89,8 @@ Window::~Window()
 void Window::listen()
 {
     glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
-        self(w).on_input(KeyChange{key, scancode, action, mods});
+        // The interface repeats a key that is held by itself.
+        if (action != GLFW_REPEAT) self(w).on_input(KeyChange{key, scancode, action, mods});
     });
     glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned character) { self(w).on_input(TextInput{character}); });
     glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int) {
@@ -91,7 +100,7 @@ void Window::listen()
         self(w).on_input(MouseMove{vec2(x, y) * self(w).pixels_per_coordinate()});
     });
     glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int entered) {
-        if (!entered) self(w).on_input(MouseMove{vec2(outside)});
+        if (!entered && !drags(w)) self(w).on_input(MouseMove{vec2(outside)});
     });
     glfwSetScrollCallback(window_, [](GLFWwindow* w, double x, double y) { self(w).on_input(MouseWheel{vec2(x, y)}); });
     glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** files) {

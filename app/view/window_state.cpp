@@ -52,6 +52,17 @@ WindowState parse_state(const std::filesystem::path& file)
     return s;
 }
 
+/// Whether a TOML file can hold the text. Names of files may be no UTF-8, and what is told of those is left out.
+bool can_be_kept(const std::string& text)
+{
+    try {
+        static_cast<void>(parse_toml_text("text = " + toml_string(text), {}));
+        return true;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
 /// Renames a damaged file, so that it is not written over when the window closes. Returns what the user can do then.
 std::string put_aside(const std::filesystem::path& file)
 {
@@ -89,15 +100,17 @@ void write_window_state(const std::filesystem::path& file, const WindowState& s)
     std::string text =
         fmt::format("x = {}\ny = {}\nwidth = {}\nheight = {}\nmaximised = {}\nsettings_file = {}\nscene = {}\n{}",
                     s.place.position.x, s.place.position.y, s.place.size.x, s.place.size.y, s.place.maximised,
-                    toml_string(s.settings_file), toml_string(s.scene.string()), toml_camera(s.camera));
+                    toml_string(can_be_kept(s.settings_file) ? s.settings_file : WindowState{}.settings_file),
+                    toml_string(can_be_kept(s.scene.string()) ? s.scene.string() : ""), toml_camera(s.camera));
     for (const auto& [scene, bookmarks] : s.bookmarks) {
+        if (!can_be_kept(scene)) continue;
         for (const auto& [name, camera] : bookmarks) {
             text += fmt::format("\n[[bookmark]]\nscene = {}\nname = {}\n{}", toml_string(scene), toml_string(name),
                                 toml_camera(camera));
         }
     }
     for (const std::filesystem::path& scene : s.recent)
-        text += fmt::format("\n[[recent]]\nscene = {}\n", toml_string(scene.string()));
+        if (can_be_kept(scene.string())) text += fmt::format("\n[[recent]]\nscene = {}\n", toml_string(scene.string()));
     try {
         std::error_code ignored; // writing tells
         std::filesystem::create_directories(file.parent_path(), ignored);

@@ -75,15 +75,27 @@ MaterialOverride difference(const Material& from, const Material& to)
     return o;
 }
 
+void add_missing(const MaterialOverride& from, MaterialOverride& to)
+{
+    for (const auto& value : from.values) {
+        const bool there =
+            std::any_of(to.values.begin(), to.values.end(), [&](const auto& v) { return v.first == value.first; });
+        if (!there) to.values.push_back(value);
+    }
+}
+
 std::vector<MaterialOverride> spelled_out(std::span<const Material> materials,
                                           std::span<const MaterialOverride> overrides)
 {
     std::vector<MaterialOverride> out;
     for (const Material& material : materials) {
         MaterialOverride o = difference(material, overridden(material, overrides));
-        const bool named =
-            std::any_of(out.begin(), out.end(), [&](const auto& other) { return other.match == o.match; });
-        if (!o.values.empty() && !named) out.push_back(std::move(o));
+        const auto named =
+            std::find_if(out.begin(), out.end(), [&](const auto& other) { return other.match == o.match; });
+        if (named != out.end())
+            add_missing(o, *named); // another of the same name, which had some of the values already
+        else if (!o.values.empty())
+            out.push_back(std::move(o));
     }
     return out;
 }

@@ -33,6 +33,20 @@ TEST(recent_scenes, a_scene_has_one_path)
     EXPECT_EQ(scene_path("/x/./b.toml"), "/x/b.toml");
 }
 
+TEST(recent_scenes, names_that_are_no_utf8_do_not_damage_the_file)
+{
+    const fs::path file = fs::temp_directory_path() / ("atrium-names-" + std::to_string(getpid()) + ".toml");
+    WindowState state, kept;
+    state.recent = {"/a\xff.obj", "/b.obj"};
+    kept.recent = {"/b.obj"};
+    state.scene = "/a\xff.obj";
+    state.bookmarks["/a\xff.obj"] = {{"door", {}}};
+    state.bookmarks["/b.obj"] = kept.bookmarks["/b.obj"] = {{"gate", {}}};
+    write_window_state(file, state);
+    EXPECT_EQ(read_window_state(file), kept);
+    fs::remove(file);
+}
+
 TEST(recent_scenes, a_damaged_file_is_kept_under_another_name)
 {
     const fs::path folder = fs::temp_directory_path() / ("atrium-state-" + std::to_string(getpid()));

@@ -67,9 +67,9 @@ TEST_F(Flown, sponza_below_four_soft_lights_is_fluent)
     view(arguments);
     desktop->click(window, tabs::costs);
     ASSERT_TRUE(settle());
-    // Other work on the machine can spoil one flight.
-    Flight best;
-    const auto fluent = [&] { return best.rate >= 10 && best.interface_ms <= 8 && best.until_full <= 1.5; };
+    // Other work on the machine can spoil one: the last of up to three counts.
+    Flight flight;
+    const auto fluent = [&] { return flight.rate >= 10 && flight.interface_ms <= 8 && flight.until_full <= 1.5; };
     for (int i = 0; i < 3 && !fluent(); ++i) {
         const std::string key = i % 2 == 0 ? "w" : "s";
         desktop->press(key);
@@ -79,14 +79,14 @@ TEST_F(Flown, sponza_below_four_soft_lights_is_fluent)
         desktop->click(window, {65, 345}); // save as JSON
         desktop->move(window, {100, 500});
         ASSERT_TRUE(settle());
-        best = flight_of(folder / ("atrium.000" + std::to_string(i) + ".costs.json"));
-        std::printf("%.1f frames a second, interface %.1f ms, full after %.2f full frames\n", best.rate,
-                    best.interface_ms, best.until_full);
+        flight = flight_of(folder / ("atrium.000" + std::to_string(i) + ".costs.json"));
+        std::printf("%.1f frames a second, interface %.1f ms, full after %.2f full frames\n", flight.rate,
+                    flight.interface_ms, flight.until_full);
     }
-    EXPECT_GE(best.rate, 10);
-    EXPECT_GT(best.interface_ms, 0);
-    EXPECT_LE(best.interface_ms, 8);
-    EXPECT_LE(best.until_full, 1.5);
+    EXPECT_GE(flight.rate, 10);
+    EXPECT_GT(flight.interface_ms, 0);
+    EXPECT_LE(flight.interface_ms, 8);
+    EXPECT_LE(flight.until_full, 1.5);
 }
 
 } // namespace

@@ -48,7 +48,6 @@ TEST_F(Materials, are_picked_by_a_click_changed_undone_and_drawn_again)
 
     EXPECT_GT(late_change([] { desktop->tap("z", "Control_L"); }), 0.02);
     EXPECT_EQ(mean_difference(start, scene()), 0);
-    desktop->click(window, {52, 170}); // puts the message away, of two lines
     EXPECT_GT(late_change([] { desktop->click(window, tabs::costs); }), 0.02);
     EXPECT_EQ(mean_difference(unmarked, scene()), 0);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Where the tabs of the panel stand in a window of scale 1, as long as no message stands above them.
+// Where the tabs of the panel stand in a window of scale 1.
 
 #include "renderer/core/math.hpp"
 
