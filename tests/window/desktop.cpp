@@ -7,6 +7,7 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -90,6 +91,7 @@ Process::Process(const std::vector<std::string>& command, const std::filesystem:
     pid_ = fork();
     if (pid_ < 0) throw std::runtime_error("cannot start " + command.front());
     if (pid_ > 0) return;
+    prctl(PR_SET_PDEATHSIG, SIGKILL); // also when the tests end without destroying anything
     if (!folder.empty() && chdir(folder.c_str()) != 0) _exit(127);
     for (const std::string& variable : environment) putenv(const_cast<char*>(variable.c_str()));
     std::vector<char*> arguments;
@@ -153,6 +155,8 @@ Desktop::Desktop(ivec2 size)
     ::close(ends[0]);
     if (number.empty()) throw std::runtime_error("Xvfb did not start: is it installed?");
     name_ = ":" + number;
+    // A window that is gone, or has no picture now, is no reason to end the tests.
+    XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });
     display_ = XOpenDisplay(name_.c_str());
     if (!display_) throw std::runtime_error("cannot reach " + name_);
     manager_.emplace(std::vector<std::string>{"openbox", "--sm-disable"}, "",
@@ -233,12 +237,9 @@ Image8 Desktop::grab(WindowId window)
 {
     const ivec2 size = size_of(window);
     Image8 out(size.x, size.y, 3);
-    // A window that is hidden, or changes its size meanwhile, has no picture: no reason to end the tests.
-    const XErrorHandler before = XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });
     XImage* image = XGetImage(display_, window, 0, 0, static_cast<unsigned>(size.x), static_cast<unsigned>(size.y),
                               AllPlanes, ZPixmap);
-    XSetErrorHandler(before);
-    if (!image) return {};
+    if (!image) return {}; // hidden, or of another size meanwhile
     for (int y = 0; y < size.y; ++y) {
         for (int x = 0; x < size.x; ++x) {
             const unsigned long pixel = XGetPixel(image, x, y);

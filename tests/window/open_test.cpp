@@ -102,6 +102,26 @@ TEST_F(OpenedScenes, what_cannot_be_opened_leaves_the_scene)
     }
 }
 
+TEST_F(OpenedScenes, what_is_shown_of_a_light_goes_with_it)
+{
+    static_cast<void>(back_in_the_court());
+    desktop->click(window, tabs::buffers);
+    ASSERT_TRUE(settle());
+    desktop->click(window, {180, 168}); // the search box
+    type("visibility.sun");
+    ASSERT_TRUE(settle());
+    EXPECT_GT(change([] { desktop->click(window, {35, 230}); }), 1); // pins it
+    desktop->tap("F1");
+    ASSERT_TRUE(desktop->drop(window, court("courtyard.atrium"))); // which has one light, of another name
+    ASSERT_TRUE(shows("courtyard.atrium"));
+    desktop->tap("o", "Control_L");
+    ASSERT_TRUE(settle());
+    type("missing.obj");
+    desktop->tap("Return"); // is refused, which shows the panels again
+    EXPECT_TRUE(settle());
+    EXPECT_TRUE(program->running());
+}
+
 TEST_F(OpenedScenes, a_path_is_typed_and_completed)
 {
     fs::copy(court("courtyard.atrium"), folder / "other.atrium");
