@@ -27,7 +27,8 @@ bool must_wait(const MouseMove& /*unused*/, const std::vector<InputEvent>& frame
 
 bool must_wait(const MouseButton& next, const std::vector<InputEvent>& frame)
 {
-    return holds<KeyChange>(frame) || holds<TextInput>(frame) ||
+    const bool ends_drag = !next.down && holds<MouseMove>(frame); // which else would lose its last way
+    return ends_drag || holds<KeyChange>(frame) || holds<TextInput>(frame) ||
            holds<MouseButton>(frame, [&](const MouseButton& b) { return b.button == next.button; });
 }
 

@@ -45,6 +45,11 @@ TEST(input_queue, each_click_is_where_it_was)
               (Sizes{3, 1, 2, 1}));
 }
 
+TEST(input_queue, a_drag_goes_all_of_its_way)
+{
+    EXPECT_EQ(frames_of({MouseButton{0, true}, move_to(1), move_to(2), MouseButton{0, false}}), (Sizes{1, 2, 1}));
+}
+
 TEST(input_queue, movements_alone_never_wait)
 {
     EXPECT_EQ(frames_of({move_to(1), move_to(2), move_to(3), move_to(4)}), (Sizes{4}));

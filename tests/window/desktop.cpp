@@ -279,7 +279,7 @@ void Desktop::tap(const std::string& key, const std::string& held)
 {
     if (!held.empty()) press(held);
     press(key);
-    std::this_thread::sleep_for(30ms);
+    std::this_thread::sleep_for(10ms);
     release(key);
     if (!held.empty()) release(held);
 }
@@ -302,9 +302,9 @@ void Desktop::button(int number, bool down)
 void Desktop::click(WindowId window, ivec2 at, int number)
 {
     move(window, at);
-    std::this_thread::sleep_for(100ms); // the interface sees the mouse before the click
+    std::this_thread::sleep_for(60ms); // what was clicked before has opened
     button(number, true);
-    std::this_thread::sleep_for(100ms);
+    std::this_thread::sleep_for(60ms);
     button(number, false);
 }
 

@@ -15,12 +15,12 @@ protected:
         ViewedProgram::SetUpTestSuite();
         start(hero());
     }
-    /// Leaves one setting in the panel, whose widget is then the only one.
-    static void seek(const std::string& key)
+    /// Leaves the one setting in the panel that has the text in its name.
+    static void seek(const std::string& text)
     {
         desktop->click(window, {180, 168}); // the search box
         desktop->tap("a", "Control_L");
-        type(key);
+        type(text);
         ASSERT_TRUE(settle());
     }
     static constexpr int widget = 328; ///< y of it
@@ -31,26 +31,28 @@ protected:
 TEST_F(ChangedSettings, by_switches_choices_and_sliders)
 {
     struct Case {
-        const char* key;
+        const char* text;
         std::vector<ivec2> clicks; ///< on its widget
         double at_least;           ///< mean change of the scene's picture
     };
     constexpr ivec2 on_off{163, widget}, choice{240, widget}, first{240, widget + 28}, middle{240, widget},
         end{320, widget};
-    for (const Case& c : {Case{"normal_mapping", {on_off}, 0.02}, Case{"ao.method", {choice, first}, 0.3},
-                          Case{"shadow.softness", {end}, 0.1}, Case{"exposure.ev100", {middle - ivec2(20, 0)}, 10},
-                          Case{"tonemap.operator", {choice, first}, 3}, Case{"debug.wireframe", {on_off}, 3}}) {
-        seek(c.key);
+    for (const Case& c :
+         {Case{"normal_m", {on_off}, 0.02}, Case{"specular_m", {on_off}, 0.02}, Case{"ambient.i", {end}, 3},
+          Case{"ao.me", {choice, first}, 0.3}, Case{"shadow.f", {choice, first}, 0.3}, Case{"softness", {end}, 0.1},
+          Case{"sky.i", {end}, 0.3}, Case{"ev100", {middle - ivec2(20, 0)}, 10}, Case{"tonemap", {choice, first}, 3},
+          Case{"wireframe", {on_off}, 3}}) {
+        seek(c.text);
         const Image8 before = scene();
         EXPECT_GT(change([&] {
                       for (const ivec2 at : c.clicks) desktop->click(window, at);
                       desktop->move(window, beside);
                   }),
                   c.at_least)
-            << c.key;
+            << c.text;
         desktop->tap("z", "Control_L");
         EXPECT_TRUE(settle());
-        EXPECT_EQ(mean_difference(before, scene()), 0) << c.key;
+        EXPECT_EQ(mean_difference(before, scene()), 0) << c.text;
     }
 }
 
