@@ -80,8 +80,10 @@ std::optional<std::filesystem::path> OpenDialog::draw_lists(std::span<const std:
         }
         ImGui::Spacing();
     }
-    ImGui::TextDisabled("%s", listing_.folder.c_str());
-    if (listing_.lines.empty()) ImGui::TextDisabled("No scenes and no folders that begin so.");
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    wrapped(listing_.folder.string());
+    if (listing_.lines.empty()) wrapped("No scenes and no folders that begin so.");
+    ImGui::PopStyleColor();
     std::optional<std::string> folder;
     for (const std::string& name : listing_.lines) {
         if (!line(name)) continue;

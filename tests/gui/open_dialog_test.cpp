@@ -51,6 +51,9 @@ TEST_F(OpenDialogs, what_is_typed_is_completed_as_far_as_it_is_clear)
 
 TEST_F(OpenDialogs, is_never_cut_off)
 {
+    const fs::path here = fs::current_path(), deep = folder / std::string(100, 'y') / std::string(100, 'z');
+    fs::create_directories(deep);
+    fs::current_path(deep); // which is listed
     const std::array<fs::path, 2> recent{"/a/scene.toml", std::string(300, 'x') + ".obj"};
     for (const auto& [width, height] : {std::pair{320.0f, 240.0f}, {800.0f, 600.0f}, {2560.0f, 1440.0f}}) {
         for (const float scale : {1.0f, 1.5f}) {
@@ -62,6 +65,7 @@ TEST_F(OpenDialogs, is_never_cut_off)
             for (const std::string& window : gui.cut_off()) ADD_FAILURE() << window << " at " << scale;
         }
     }
+    fs::current_path(here);
 }
 
 TEST_F(OpenDialogs, a_typed_file_is_opened_and_a_folder_is_gone_into)
