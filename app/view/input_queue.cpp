@@ -27,8 +27,8 @@ bool must_wait(const MouseMove& /*unused*/, const std::vector<InputEvent>& frame
 
 bool must_wait(const MouseButton& next, const std::vector<InputEvent>& frame)
 {
-    const bool ends_drag = !next.down && holds<MouseMove>(frame); // which else would lose its last way
-    return ends_drag || holds<KeyChange>(frame) || holds<TextInput>(frame) ||
+    // What lies over others sees the mouse a frame before it takes a click, and a drag ends where the mouse was last.
+    return holds<MouseMove>(frame) || holds<KeyChange>(frame) || holds<TextInput>(frame) ||
            holds<MouseButton>(frame, [&](const MouseButton& b) { return b.button == next.button; });
 }
 

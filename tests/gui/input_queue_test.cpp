@@ -42,7 +42,7 @@ TEST(input_queue, each_click_is_where_it_was)
 {
     EXPECT_EQ(frames_of({move_to(1), move_to(2), MouseButton{0, true}, MouseButton{0, false}, move_to(3),
                          MouseButton{0, true}, MouseButton{0, false}}),
-              (Sizes{3, 1, 2, 1}));
+              (Sizes{2, 1, 1, 1, 1, 1}));
 }
 
 TEST(input_queue, a_drag_goes_all_of_its_way)

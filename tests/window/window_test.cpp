@@ -225,6 +225,18 @@ TEST_F(Viewed, images_of_the_graph_are_clicked_into_the_view)
     ASSERT_TRUE(settle());
 }
 
+TEST_F(Viewed, a_click_counts_however_quick)
+{
+    for (const ivec2 tab : {tabs::lights, tabs::camera, tabs::help, tabs::settings}) {
+        const Image8 before = desktop->grab(window);
+        desktop->move(window, tab);
+        desktop->button(1, true);
+        desktop->button(1, false);
+        EXPECT_TRUE(settle());
+        EXPECT_GT(mean_difference(before, desktop->grab(window)), 0.5) << tab.x; // more than its name lights up
+    }
+}
+
 TEST_F(Viewed, l_looks_through_the_selected_light_and_back)
 {
     const Image8 start = scene();
