@@ -100,7 +100,10 @@ void Window::listen()
         self(w).on_input(MouseMove{vec2(x, y) * self(w).pixels_per_coordinate()});
     });
     glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int entered) {
-        if (!entered && !drags(w)) self(w).on_input(MouseMove{vec2(outside)});
+        if (!entered && drags(w)) return;
+        double x = outside, y = outside;
+        if (entered) glfwGetCursorPos(w, &x, &y); // the window may have come to the mouse
+        self(w).on_input(MouseMove{vec2(x, y) * self(w).pixels_per_coordinate()});
     });
     glfwSetScrollCallback(window_, [](GLFWwindow* w, double x, double y) { self(w).on_input(MouseWheel{vec2(x, y)}); });
     glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** files) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace atrium::window {
@@ -19,22 +20,26 @@ struct Flight {
     double until_full = 1e9; ///< from before the last input to the end of the full frame, in full frames
 };
 
+/// The last one of those written.
 Flight flight_of(const fs::path& costs)
 {
     Flight out;
     std::vector<double> interface;
     double first = 0, last = 0;
+    bool ended = true;
     const nlohmann::json all = nlohmann::json::parse(bytes_of(costs));
     for (const nlohmann::json& frame : all["frames"]) {
         const double at = frame["at_ms"];
         if (frame["scale"] < 1) {
-            if (interface.empty()) first = at;
+            if (std::exchange(ended, false)) {
+                interface.clear();
+                first = at;
+            }
             last = at;
             interface.push_back(frame["interface_ms"]);
-        } else if (last > 0) {
+        } else if (!std::exchange(ended, true)) {
             const double full = frame["frame_ms"];
             out.until_full = (at + full - last) / full; // the key was still down when the last moving frame began
-            break;
         }
     }
     if (interface.size() < 2) return out;
