@@ -104,7 +104,7 @@ protected:
         double used_before = program->cpu_seconds();
         int same = 0;
         while (std::chrono::steady_clock::now() < end) {
-            std::this_thread::sleep_for(150ms);
+            std::this_thread::sleep_for(200ms);
             Image8 now = desktop->grab(window);
             const double used = program->cpu_seconds();
             const bool rests = used - used_before < resting;
