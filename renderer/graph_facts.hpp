@@ -41,7 +41,7 @@ struct GraphUseFacts {
 };
 
 struct GraphFacts {
-    std::vector<GraphPassFacts> passes; ///< that made the picture, in order
+    std::vector<GraphPassFacts> passes; ///< that ran, in order, but those that only look at images
     std::vector<GraphResourceFacts> resources;
     std::vector<GraphUseFacts> uses; ///< by pass
 };

@@ -32,7 +32,7 @@ private:
     Window& window_;
     Engine& engine_;
     float scale_ = 0;
-    vec2 mouse_{-1e6f};
+    vec2 mouse_ = mouse_outside;
     std::bitset<8> buttons_; ///< that are down; GLFW knows as many
 };
 

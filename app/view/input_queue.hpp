@@ -9,8 +9,10 @@
 
 namespace atrium::app {
 
+inline constexpr vec2 mouse_outside{-1e6f}; ///< where no widget is
+
 struct MouseMove {
-    vec2 at; ///< in the window's pixels; far outside where the mouse has left it
+    vec2 at; ///< in the window's pixels; mouse_outside where the mouse has left it
 };
 struct MouseButton {
     int button;

@@ -13,8 +13,6 @@
 namespace atrium::app {
 namespace {
 
-constexpr float outside = -1e6f; ///< where no widget is
-
 /// What GLFW said last; its own words are the best there are.
 std::string last_error()
 {
@@ -101,8 +99,9 @@ void Window::listen()
     });
     glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int entered) {
         if (!entered && drags(w)) return;
-        double x = outside, y = outside;
-        if (entered) glfwGetCursorPos(w, &x, &y); // the window may have come to the mouse
+        if (!entered) return self(w).on_input(MouseMove{mouse_outside});
+        double x = 0, y = 0;
+        glfwGetCursorPos(w, &x, &y); // the window may have come to the mouse
         self(w).on_input(MouseMove{vec2(x, y) * self(w).pixels_per_coordinate()});
     });
     glfwSetScrollCallback(window_, [](GLFWwindow* w, double x, double y) { self(w).on_input(MouseWheel{vec2(x, y)}); });
