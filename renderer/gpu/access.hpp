@@ -9,15 +9,26 @@
 namespace atrium::gpu {
 
 enum class Access : std::uint8_t {
-    none,             ///< never used yet; contents undefined
-    color_write,      ///< colour attachment, written whole or blended (read and write)
-    depth_write,      ///< depth attachment with test and write
-    depth_read,       ///< depth attachment, test only; may be sampled in the same pass
-    sampled_fragment, ///< sampled image or read-only storage buffer in fragment shaders
-    sampled_compute,  ///< the same in compute shaders
-    sampled_vertex,   ///< the same in vertex, tessellation and geometry shaders
-    storage_write,    ///< storage image or buffer in compute shaders: written, perhaps read too
-    indirect_read,    ///< indirect commands or their count
+    none,               ///< never used yet; contents undefined
+    color_write,        ///< colour attachment, written whole or blended (read and write)
+    resolve_write,      ///< single-sampled image that a multisampled colour attachment is resolved into
+    depth_write,        ///< depth attachment with test and write
+    depth_read,         ///< depth attachment, test only; may be sampled in the same pass
+    sampled_fragment,   ///< sampled image or read-only storage buffer in fragment shaders
+    sampled_compute,    ///< the same in compute shaders
+    sampled_vertex,     ///< the same in vertex, tessellation and geometry shaders
+    storage_read,       ///< storage image or buffer in compute shaders: only read
+    storage_write,      ///< storage image or buffer in compute shaders: written, perhaps read too
+    storage_fragment,   ///< the same in fragment shaders
+    address_fragment,   ///< buffer that fragment shaders read through its device address, without a binding
+    address_compute,    ///< the same in compute shaders
+    address_vertex,     ///< the same in vertex, tessellation and geometry shaders
+    address_write,      ///< the same in compute shaders: written, perhaps read too
+    acceleration_input, ///< buffer that the build of an acceleration structure reads: vertices, instances, a lower one
+    acceleration_build, ///< buffer of an acceleration structure that is built or updated, or the build's scratch
+    acceleration_fragment, ///< buffer of an acceleration structure that fragment shaders trace rays in
+    acceleration_compute,  ///< the same in compute shaders
+    indirect_read,         ///< indirect commands or their count
     index_read,
     vertex_read,
     transfer_read,

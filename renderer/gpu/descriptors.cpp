@@ -57,11 +57,13 @@ VkDescriptorSetLayout frame_layout(VkDevice device)
 VkDescriptorSetLayout pass_layout(VkDevice device)
 {
     std::vector<VkDescriptorSetLayoutBinding> bindings;
-    for (std::uint32_t i = 0; i < Descriptors::max_pass_images + Descriptors::max_pass_buffers; ++i) {
-        const auto type =
-            i < Descriptors::max_pass_images ? VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-        bindings.push_back({i, type, 1, VK_SHADER_STAGE_ALL, nullptr});
-    }
+    const auto add = [&](std::uint32_t count, VkDescriptorType type) {
+        for (std::uint32_t i = 0; i < count; ++i)
+            bindings.push_back({static_cast<std::uint32_t>(bindings.size()), type, 1, VK_SHADER_STAGE_ALL, nullptr});
+    };
+    add(Descriptors::max_pass_images, VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE);
+    add(Descriptors::max_pass_buffers, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+    add(Descriptors::max_pass_storage_images, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
     return create_layout(device, bindings, partial);
 }
 
@@ -148,9 +150,10 @@ Descriptors::Descriptors(const Device& device)
     table_pool_ = create_pool(device.handle(), 2, table_sizes, VK_DESCRIPTOR_POOL_CREATE_UPDATE_AFTER_BIND_BIT);
     textures_ = allocate_set(device.handle(), table_pool_, layouts_[0]);
     frame_ = allocate_set(device.handle(), table_pool_, layouts_[1]);
-    const std::array<VkDescriptorPoolSize, 2> pass_sizes{{
+    const std::array<VkDescriptorPoolSize, 3> pass_sizes{{
         {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, max_pass_images * max_passes},
         {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, max_pass_buffers * max_passes},
+        {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, max_pass_storage_images * max_passes},
     }};
     pass_pool_ = create_pool(device.handle(), max_passes, pass_sizes, 0);
 
@@ -244,11 +247,12 @@ void Descriptors::bind_frame(VkCommandBuffer cmd) const
 }
 
 void Descriptors::bind_pass(VkCommandBuffer cmd, VkPipelineBindPoint point, std::span<const PassImage> images,
-                            std::span<const VkBuffer> buffers)
+                            std::span<const VkBuffer> buffers, std::span<const PassImage> storage_images)
 {
-    if (images.empty() && buffers.empty()) return;
+    if (images.empty() && buffers.empty() && storage_images.empty()) return;
     const VkDescriptorSet set = allocate_set(device_.handle(), pass_pool_, layouts_[2]);
     std::array<VkDescriptorImageInfo, max_pass_images> image_infos{};
+    std::array<VkDescriptorImageInfo, max_pass_storage_images> storage_infos{};
     std::array<VkDescriptorBufferInfo, max_pass_buffers> buffer_infos{};
     std::vector<VkWriteDescriptorSet> writes;
     for (std::uint32_t i = 0; i < images.size(); ++i) {
@@ -260,6 +264,11 @@ void Descriptors::bind_pass(VkCommandBuffer cmd, VkPipelineBindPoint point, std:
         buffer_infos.at(i) = {buffers[i], 0, VK_WHOLE_SIZE};
         writes.push_back(write_of(set, max_pass_images + i, 0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER));
         writes.back().pBufferInfo = &buffer_infos[i];
+    }
+    for (std::uint32_t i = 0; i < storage_images.size(); ++i) {
+        storage_infos.at(i) = {VK_NULL_HANDLE, storage_images[i].view, storage_images[i].layout};
+        writes.push_back(write_of(set, max_pass_images + max_pass_buffers + i, 0, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE));
+        writes.back().pImageInfo = &storage_infos[i];
     }
     vkUpdateDescriptorSets(device_.handle(), static_cast<std::uint32_t>(writes.size()), writes.data(), 0, nullptr);
     vkCmdBindDescriptorSets(cmd, point, pipeline_layout_, 2, 1, &set, 0, nullptr);

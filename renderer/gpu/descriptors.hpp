@@ -2,7 +2,8 @@
 // Everything a shader can reach, in three sets that all pipelines share:
 //   set 0  materials: the bindless array of textures, and the samplers          (shaders/lib/textures.glsl)
 //   set 1  the frame's constants and the scene's tables                         (shaders/lib/frame.glsl, scene.glsl)
-//   set 2  what the pass declared: image i at binding i, storage buffer j at binding max_pass_images + j
+//   set 2  what the pass declared: image i at binding i, storage buffer j at binding max_pass_images + j, storage image
+//          k at binding max_pass_images + max_pass_buffers + k
 // Only textures are bindless: what changes during a frame has bindings of its own, so that validation can follow it.
 
 #include "renderer/gpu/resources.hpp"
@@ -31,6 +32,7 @@ class Descriptors {
 public:
     static constexpr std::uint32_t texture_capacity = 8192; ///< devices with descriptor indexing guarantee 500,000
     static constexpr std::uint32_t max_pass_images = 12, max_pass_buffers = 7, max_passes = 4096;
+    static constexpr std::uint32_t max_pass_storage_images = 4;
     static constexpr std::uint32_t push_bytes = 128; ///< what every device has
 
     explicit Descriptors(const Device& device);
@@ -51,7 +53,8 @@ public:
     [[nodiscard]] VkPipelineLayout pipeline_layout() const { return pipeline_layout_; }
     void bind_frame(VkCommandBuffer cmd) const; ///< sets 0 and 1, for graphics and compute
     void bind_pass(VkCommandBuffer cmd, VkPipelineBindPoint point, std::span<const PassImage> images,
-                   std::span<const VkBuffer> buffers); ///< set 2
+                   std::span<const VkBuffer> buffers,
+                   std::span<const PassImage> storage_images); ///< set 2
 
 private:
     void write_sampler(SamplerSlot slot, VkSampler sampler); ///< takes ownership

@@ -82,7 +82,7 @@ VkPipeline Pipelines::create(const GraphicsPipelineDesc& desc)
     raster.lineWidth = 1;
     raster.polygonMode = desc.lines ? VK_POLYGON_MODE_LINE : VK_POLYGON_MODE_FILL;
     VkPipelineMultisampleStateCreateInfo multisample{VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
-    multisample.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
+    multisample.rasterizationSamples = static_cast<VkSampleCountFlagBits>(desc.samples);
     VkPipelineDepthStencilStateCreateInfo depth{VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
     depth.depthTestEnable = desc.depth_test != DepthTest::off;
     depth.depthWriteEnable = desc.depth_write;

@@ -37,6 +37,7 @@ struct GraphicsPipelineDesc {
     std::vector<std::uint32_t> constants; ///< specialisation constants 0, 1, … of both stages
     std::vector<Format> colors;           ///< filled in by the graph
     Format depth = Format::none;          ///< filled in by the graph
+    std::uint32_t samples = 1;            ///< filled in by the graph
     auto operator<=>(const GraphicsPipelineDesc&) const = default;
 };
 

@@ -76,7 +76,7 @@ VkImageCreateInfo image_create_info(const ImageDesc& desc)
     create.extent = {desc.width, desc.height, 1};
     create.mipLevels = desc.mips;
     create.arrayLayers = desc.layers;
-    create.samples = VK_SAMPLE_COUNT_1_BIT;
+    create.samples = static_cast<VkSampleCountFlagBits>(desc.samples);
     create.tiling = VK_IMAGE_TILING_OPTIMAL;
     create.usage = desc.usage;
     return create;
@@ -93,7 +93,7 @@ Image::Image(const Device& device, std::string_view name, const ImageDesc& desc)
     check(vmaCreateImage(device.allocator(), &create, &allocate, &image_, &allocation_, nullptr),
           fmt::format("allocate image {} ({}x{} {})", name, desc.width, desc.height, to_string(desc.format)));
     device.name(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<std::uint64_t>(image_), name);
-    create_views();
+    view_ = create_view(whole());
 }
 
 Image Image::create_unbound(const Device& device, std::string_view name, const ImageDesc& desc)
@@ -117,7 +117,7 @@ Image Image::of_others(const Device& device, std::string_view name, const ImageD
     image.image_ = handle;
     image.others_ = true;
     device.name(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<std::uint64_t>(handle), name);
-    image.create_views();
+    image.view_ = image.create_view(image.whole());
     return image;
 }
 
@@ -132,26 +132,30 @@ void Image::bind(VmaAllocation block, std::uint64_t offset)
 {
     check(vmaBindImageMemory2(device_->allocator(), block, offset, image_, nullptr),
           fmt::format("place image {}", name_));
-    create_views();
+    view_ = create_view(whole());
 }
 
-void Image::create_views()
+VkImageView Image::view(const ImagePart& part) const
 {
-    view_ = create_view(desc_.layers > 1 ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D, 0, desc_.layers);
-    for (std::uint32_t layer = 0; desc_.layers > 1 && layer < desc_.layers; ++layer)
-        layer_views_.push_back(create_view(VK_IMAGE_VIEW_TYPE_2D, layer, 1));
+    if (part == whole()) return view_;
+    for (const PartView& known : part_views_) {
+        if (known.part == part) return known.view;
+    }
+    part_views_.push_back({part, create_view(part)});
+    return part_views_.back().view;
 }
 
-VkImageView Image::create_view(VkImageViewType type, std::uint32_t first_layer, std::uint32_t layers) const
+VkImageView Image::create_view(const ImagePart& part) const
 {
     VkImageViewCreateInfo create{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
     create.image = image_;
-    create.viewType = type;
+    create.viewType = part.layers > 1 ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D;
     create.format = vk(desc_.format);
     create.subresourceRange.aspectMask = is_depth(desc_.format) ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
-    create.subresourceRange.levelCount = desc_.mips;
-    create.subresourceRange.baseArrayLayer = first_layer;
-    create.subresourceRange.layerCount = layers;
+    create.subresourceRange.baseMipLevel = part.first_mip;
+    create.subresourceRange.levelCount = part.mips;
+    create.subresourceRange.baseArrayLayer = part.first_layer;
+    create.subresourceRange.layerCount = part.layers;
     VkImageView view = VK_NULL_HANDLE;
     check(vkCreateImageView(device_->handle(), &create, nullptr, &view),
           fmt::format("create a view of image {}", name_));
@@ -163,7 +167,7 @@ Image::~Image()
 {
     if (!device_) return;
     if (view_) vkDestroyImageView(device_->handle(), view_, nullptr);
-    for (VkImageView view : layer_views_) vkDestroyImageView(device_->handle(), view, nullptr);
+    for (const PartView& part : part_views_) vkDestroyImageView(device_->handle(), part.view, nullptr);
     if (others_) return;
     if (allocation_) {
         vmaDestroyImage(device_->allocator(), image_, allocation_);
@@ -184,7 +188,7 @@ Image& Image::operator=(Image&& other) noexcept
     std::swap(name_, other.name_);
     std::swap(image_, other.image_);
     std::swap(view_, other.view_);
-    std::swap(layer_views_, other.layer_views_);
+    std::swap(part_views_, other.part_views_);
     std::swap(allocation_, other.allocation_);
     std::swap(others_, other.others_);
     return *this;

@@ -53,10 +53,17 @@ struct ImageDesc {
     std::uint32_t width = 1, height = 1;
     std::uint32_t mips = 1, layers = 1;
     VkImageUsageFlags usage = 0;
+    std::uint32_t samples = 1;
 };
 
-/// A 2D image with one view of all of it (of an array, where it has layers). Memory is its own, or (create_unbound)
-/// bound by the owner of a shared block.
+/// Mip levels and array layers of an image.
+struct ImagePart {
+    std::uint32_t first_mip = 0, mips = 1, first_layer = 0, layers = 1;
+    bool operator==(const ImagePart&) const = default;
+};
+
+/// A 2D image with a view of all of it (of an array, where it has layers) and views of its parts. Memory is its own, or
+/// (create_unbound) bound by the owner of a shared block.
 class Image {
 public:
     Image() = default;
@@ -75,24 +82,25 @@ public:
 
     [[nodiscard]] VkImage handle() const { return image_; }
     [[nodiscard]] VkImageView view() const { return view_; }
-    /// Of one layer, to be drawn into.
-    [[nodiscard]] VkImageView layer_view(std::uint32_t layer) const
-    {
-        return layer_views_.empty() ? view_ : layer_views_.at(layer);
-    }
+    /// Of some mips and layers; an array where the part has several layers. Created on first use and kept.
+    [[nodiscard]] VkImageView view(const ImagePart& part) const;
     [[nodiscard]] const ImageDesc& desc() const { return desc_; }
 
 private:
-    void create_views();
-    [[nodiscard]] VkImageView create_view(VkImageViewType type, std::uint32_t first_layer, std::uint32_t layers) const;
+    [[nodiscard]] ImagePart whole() const { return {0, desc_.mips, 0, desc_.layers}; }
+    [[nodiscard]] VkImageView create_view(const ImagePart& part) const;
     const Device* device_ = nullptr;
     ImageDesc desc_;
     std::string name_;
     VkImage image_ = VK_NULL_HANDLE;
     VkImageView view_ = VK_NULL_HANDLE;
-    std::vector<VkImageView> layer_views_; ///< where there are several
-    VmaAllocation allocation_ = nullptr;   ///< null when the memory is somebody else's
-    bool others_ = false;                  ///< so is the image
+    struct PartView {
+        ImagePart part;
+        VkImageView view;
+    };
+    mutable std::vector<PartView> part_views_; ///< those asked for so far
+    VmaAllocation allocation_ = nullptr;       ///< null when the memory is somebody else's
+    bool others_ = false;                      ///< so is the image
 };
 
 /// A block of device memory in which several transient images lie.

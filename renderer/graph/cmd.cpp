@@ -97,23 +97,30 @@ void Cmd::dispatch(std::uint32_t items, std::uint32_t group_size)
     vkCmdDispatch(commands_, (items + group_size - 1) / group_size, 1, 1);
 }
 
+void Cmd::dispatch_over(Tex image, std::uint32_t mip)
+{
+    constexpr std::uint32_t side = 8;
+    const uvec2 groups = (runner_.graph_->size(image, mip) + side - 1u) / side;
+    vkCmdDispatch(commands_, groups.x, groups.y, 1);
+}
+
 namespace {
 
-VkImageSubresourceLayers first_layer(const TexDesc& desc)
+VkImageSubresourceLayers first_layer(const TexDesc& desc, std::uint32_t mip = 0)
 {
     return {static_cast<VkImageAspectFlags>(gpu::is_depth(desc.format) ? VK_IMAGE_ASPECT_DEPTH_BIT
                                                                        : VK_IMAGE_ASPECT_COLOR_BIT),
-            0, 0, 1};
+            mip, 0, 1};
 }
 
 } // namespace
 
-void Cmd::copy(Tex from, Buf to)
+void Cmd::copy(Tex from, Buf to, std::uint32_t mip)
 {
-    const TexDesc& desc = runner_.graph_->desc(from);
+    const uvec2 size = runner_.graph_->size(from, mip);
     VkBufferImageCopy region{};
-    region.imageSubresource = first_layer(desc);
-    region.imageExtent = {desc.width, desc.height, 1};
+    region.imageSubresource = first_layer(runner_.graph_->desc(from), mip);
+    region.imageExtent = {size.x, size.y, 1};
     vkCmdCopyImageToBuffer(commands_, runner_.image_of(from.index), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
                            runner_.buffer_of(to.index), 1, &region);
 }

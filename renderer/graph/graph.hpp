@@ -30,10 +30,34 @@ struct Buf {
     explicit operator bool() const { return index != no_resource; }
 };
 
+/// What the size of a texture follows.
+enum class SizeOf : std::uint8_t { absolute, render, output };
+
+inline constexpr std::uint32_t all_mips = 0; ///< as many mips as it takes to come down to one texel
+
+/// Declaring a texture resolves what is relative: Graph::desc() gives its size and number of mips.
 struct TexDesc {
     gpu::Format format = gpu::Format::none;
     std::uint32_t width = 1, height = 1, layers = 1;
+    std::uint32_t mips = 1, samples = 1;
+    SizeOf size_of = SizeOf::absolute;
+    std::uint32_t divisor = 1; ///< of a relative size, which is rounded up
     bool operator==(const TexDesc&) const = default;
+};
+
+/// A texture as large as what is rendered, or the output; each side divided by `divisor`, rounded up.
+[[nodiscard]] constexpr TexDesc render_sized(gpu::Format format, std::uint32_t divisor = 1)
+{
+    return {.format = format, .size_of = SizeOf::render, .divisor = divisor};
+}
+[[nodiscard]] constexpr TexDesc output_sized(gpu::Format format, std::uint32_t divisor = 1)
+{
+    return {.format = format, .size_of = SizeOf::output, .divisor = divisor};
+}
+
+/// What a graph knows of the frame that it is built for.
+struct FrameInfo {
+    uvec2 render_size{0}, output_size{0}; ///< pixels
 };
 
 enum class CullMode : std::uint8_t { none, back };
@@ -65,7 +89,9 @@ public:
     void draw_indexed(std::uint32_t first_index, std::uint32_t index_count, std::uint32_t first_instance);
     void draw_indexed_indirect(Buf commands, std::uint32_t first, std::uint32_t count);
     void dispatch(std::uint32_t items, std::uint32_t group_size); ///< enough groups for so many items
-    void copy(Tex from, Buf to);                                  ///< all texels, rows tightly packed
+    /// Enough groups of 8 x 8 for the texels of a mip.
+    void dispatch_over(Tex image, std::uint32_t mip = 0);
+    void copy(Tex from, Buf to, std::uint32_t mip = 0); ///< all texels of a mip, rows tightly packed
     void copy(Tex from, Tex to); ///< all texels as they stand, whatever both formats make of them
     void copy(Buf from, Buf to, std::uint64_t bytes);
     void fill(Buf buffer, std::uint32_t word);
@@ -92,7 +118,9 @@ struct Attachment {
     Tex texture;
     Load load = Load::discard;
     vec4 clear{0};
-    std::uint32_t layer = 0;
+    std::uint32_t layer = 0, mip = 0;
+    std::size_t use = 0; ///< index into Pass::uses
+    Tex resolve{};       ///< of several samples: where their mean goes, if anywhere
 };
 
 /// A declared pass. Built by PassBuilder.
@@ -113,15 +141,26 @@ class PassBuilder {
 public:
     PassBuilder& reads(Tex texture); ///< sampled, at the next binding of set 2; transfer: copied from
     PassBuilder& reads_layer(Tex texture, std::uint32_t layer); ///< one layer of it, bound as an image of its own
+    PassBuilder& reads_mip(Tex texture, std::uint32_t mip);     ///< one mip of it, mip 0 of what is bound
+    /// Compute: read as a storage image, at the next storage image binding of set 2.
+    PassBuilder& reads_storage(Tex texture, std::uint32_t mip = 0);
     PassBuilder& reads(Buf buffer);
     PassBuilder& reads(Buf buffer, Access access);
-    PassBuilder& writes(Tex texture, Load load = Load::discard,
-                        vec4 clear = vec4(0)); ///< raster: the next colour target; transfer: all of it, copied to
+    /// All texels of mip 0, or those of another mip or layer. Raster: the next colour target; compute: the next storage
+    /// image of set 2; transfer: copied to.
+    PassBuilder& writes(Tex texture, Load load = Load::discard, vec4 clear = vec4(0));
     PassBuilder& writes_layer(Tex texture, std::uint32_t layer, Load load = Load::discard, vec4 clear = vec4(0));
+    PassBuilder& writes_mip(Tex texture, std::uint32_t mip, Load load = Load::discard, vec4 clear = vec4(0));
+    /// The colour target declared last, of several samples, is resolved into this texture, of one sample.
+    PassBuilder& resolves(Tex texture);
+    /// Part of it, or what is read too: what earlier passes wrote stays. Compute and raster: the next storage image.
+    PassBuilder& updates(Tex texture, std::uint32_t mip = 0);
     /// All of it. Compute: storage, at the next buffer binding of set 2; transfer: copied to.
     PassBuilder& writes(Buf buffer);
+    PassBuilder& writes(Buf buffer, Access access);
     /// Part of it, or what is read too: what earlier passes wrote stays.
     PassBuilder& updates(Buf buffer);
+    PassBuilder& updates(Buf buffer, Access access);
     PassBuilder& depth(Tex texture, Load load, float clear = 0); ///< tested and written
     PassBuilder& depth_test(Tex texture);                        ///< tested only
     PassBuilder& pipeline(gpu::GraphicsPipelineDesc desc);
@@ -150,6 +189,8 @@ public:
 private:
     friend class Graph;
     PassBuilder& fullscreen_pipeline(const std::string& fragment, std::vector<std::uint32_t> constants);
+    PassBuilder& use(Tex texture, Access access, SubresourceRange range, bool discard = false);
+    PassBuilder& write(Tex texture, std::uint32_t mip, std::uint32_t layer, Load load, vec4 clear);
     PassBuilder(class Graph& graph, std::size_t pass) : graph_(graph), pass_(pass) {}
     Pass& pass();
     Graph& graph_;
@@ -158,12 +199,15 @@ private:
 
 class Graph {
 public:
+    Graph() = default; ///< without textures of a relative size
+    explicit Graph(const FrameInfo& frame) : frame_(frame) {}
+
     [[nodiscard]] Tex texture(std::string name, const TexDesc& desc);
     /// A buffer of the frame, `bytes` long, in device memory.
     [[nodiscard]] Buf buffer(std::string name, std::uint64_t bytes);
     /// A buffer that outlives the frame, such as one the CPU reads afterwards. `initial`: how it was last used.
     [[nodiscard]] Buf import(std::string name, const gpu::Buffer& buffer, Access initial = Access::none);
-    /// The same of an image with one mip level. Its own usage must allow what passes do with it.
+    /// The same of an image. Its own usage must allow what passes do with it.
     [[nodiscard]] Tex import(std::string name, const gpu::Image& image, Access initial = Access::none);
     /// The resource's contents are wanted after the frame, in the state of `access`.
     void keep(Buf buffer, Access access) { keep(buffer.index, access); }
@@ -174,6 +218,8 @@ public:
     PassBuilder transfer(std::string name) { return add(std::move(name), PassKind::transfer); }
 
     [[nodiscard]] const TexDesc& desc(Tex texture) const { return resources_[texture.index].desc; }
+    /// Texels of a mip.
+    [[nodiscard]] uvec2 size(Tex texture, std::uint32_t mip = 0) const;
     [[nodiscard]] std::size_t pass_count() const { return passes_.size(); }
     [[nodiscard]] std::uint64_t bytes(Buf buffer) const { return resources_[buffer.index].bytes; }
     [[nodiscard]] std::optional<Tex> find(const std::string& name) const; ///< the image called so, if any
@@ -196,6 +242,8 @@ private:
     };
     PassBuilder add(std::string name, PassKind kind);
     void keep(ResourceIndex resource, Access access);
+    [[nodiscard]] TexDesc resolved(const std::string& name, TexDesc desc) const;
+    FrameInfo frame_;
     std::vector<Resource> resources_;
     std::vector<Pass> passes_;
     std::vector<FinalUse> finals_;

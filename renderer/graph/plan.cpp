@@ -9,6 +9,20 @@ namespace {
 
 using namespace detail;
 
+/// PlannedPass::unstored, given what is wanted after the pass.
+std::uint64_t find_unstored(const GraphDesc& graph, const PassDesc& pass, const std::vector<std::vector<bool>>& wanted)
+{
+    std::uint64_t out = 0;
+    for (std::size_t u = 0; u < std::min<std::size_t>(pass.uses.size(), 64); ++u) {
+        const Use& use = pass.uses[u];
+        if (use.access != Access::color_write && use.access != Access::depth_write) continue;
+        bool any = false;
+        each_part(graph.resources[use.resource], use.range, [&](std::size_t s) { any |= wanted[use.resource][s]; });
+        if (!any) out |= std::uint64_t{1} << u;
+    }
+    return out;
+}
+
 /// Divides the passes into those that run and those whose outputs nobody uses. Looks back from the end of the frame,
 /// keeping for every subresource whether its present contents are still wanted.
 void choose_passes(const GraphDesc& graph, const std::vector<PassDemands>& demands, const PassDemands& finals,
@@ -33,7 +47,7 @@ void choose_passes(const GraphDesc& graph, const std::vector<PassDemands>& deman
             plan.dropped.push_back(static_cast<std::uint32_t>(p));
             continue;
         }
-        plan.passes.push_back({static_cast<std::uint32_t>(p), {}});
+        plan.passes.push_back({static_cast<std::uint32_t>(p), {}, find_unstored(graph, graph.passes[p], wanted)});
         each(demands[p], [&](ResourceIndex r, std::size_t s, const Demand& d) {
             if (d.discard) wanted[r][s] = false;
             if (d.consumes()) wanted[r][s] = true;
@@ -81,7 +95,12 @@ States walk(const GraphDesc& graph, const std::vector<PassDemands>& demands, con
     States states;
     for (ResourceIndex r = 0; r < graph.resources.size(); ++r) {
         const ResourceDesc& resource = graph.resources[r];
-        states.emplace_back(subresource_count(resource), SubresourceState(resource, waits[r]));
+        if (resource.initial_parts.empty()) {
+            states.emplace_back(subresource_count(resource), SubresourceState(resource, waits[r]));
+            continue;
+        }
+        std::vector<SubresourceState>& parts = states.emplace_back();
+        for (const PartState& part : resource.initial_parts) parts.emplace_back(resource.is_image, part);
     }
     for (PlannedPass& planned : plan.passes) {
         planned.barriers.clear();
@@ -102,6 +121,17 @@ std::vector<Scope> outstanding(const GraphDesc& graph, const States& states)
             out[r].stages |= s.outstanding().stages;
             out[r].access |= s.outstanding().access;
         }
+    }
+    return out;
+}
+
+/// The state of each subresource of one resource, for the next frame.
+std::vector<PartState> final_parts(const ResourceDesc& resource, const std::vector<SubresourceState>& states)
+{
+    std::vector<PartState> out;
+    for (std::size_t s = 0; s < resource.initial_parts.size(); ++s) {
+        out.push_back({states[s].last_access(), states[s].outstanding(),
+                       states[s].written() || resource.initial_parts[s].defined});
     }
     return out;
 }
@@ -127,6 +157,8 @@ Plan make_plan(const GraphDesc& graph, std::span<const FinalUse> finals)
 
     for (const std::vector<SubresourceState>& resource : states) plan.final_access.push_back(resource[0].last_access());
     plan.final_waits = outstanding(graph, states);
+    for (std::size_t r = 0; r < states.size(); ++r)
+        plan.final_parts.push_back(final_parts(graph.resources[r], states[r]));
     return plan;
 }
 

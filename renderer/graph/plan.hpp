@@ -27,10 +27,18 @@ struct Scope {
     VkAccessFlags2 access = 0;
 };
 
+/// How a subresource was left by the frame before.
+struct PartState {
+    Access last = Access::none;
+    Scope wait{};         ///< what there is to wait for, beside `last`
+    bool defined = false; ///< it holds what some pass wrote
+};
+
 struct ResourceDesc {
     std::string name;
     bool is_image = true;
     std::uint32_t mips = 1, layers = 1;
+    std::uint32_t samples = 1;      ///< of images
     bool transient = true;          ///< lives within the frame and may share memory; else imported
     bool keep = false;              ///< wanted after the frame: its writers are never dropped
     Access initial = Access::none;  ///< imported: how it was last used before this frame
@@ -39,6 +47,10 @@ struct ResourceDesc {
     std::uint32_t memory_class = 0; ///< only resources of one class may share memory
     /// Imported, used before: what else there is to wait for, beside `initial`: the last plan's `final_waits`.
     Scope initial_wait{};
+    /// Imported: the state of each subresource (layer after layer, the mips of each together), the last plan's
+    /// `final_parts`. Takes the place of `initial` and `initial_wait`; what is not defined must be written before it is
+    /// read. Empty: all subresources are alike, and hold something.
+    std::vector<PartState> initial_parts{};
 };
 
 struct Use {
@@ -74,6 +86,8 @@ struct Barrier {
 struct PlannedPass {
     std::uint32_t pass = 0;        ///< index into GraphDesc::passes
     std::vector<Barrier> barriers; ///< issued together, before the pass
+    /// Bit u: nobody wants what use u, an attachment, leaves behind; it need not be stored. Later uses are stored.
+    std::uint64_t unstored = 0;
 };
 
 /// Where a transient resource lives: `offset` bytes into memory block `block`.
@@ -92,6 +106,8 @@ struct Plan {
     std::vector<Barrier> final_barriers; ///< empty unless `finals` asked for some
     std::vector<Access> final_access; ///< by resource: the last access (of its first subresource), for the next frame
     std::vector<Scope> final_waits;   ///< by resource: all that the next frame waits for, as `initial_wait`
+    /// By resource: the state of each subresource, for the next frame. Of those with `initial_parts` only.
+    std::vector<std::vector<PartState>> final_parts;
 };
 
 /// How a resource shall be left (e.g. swapchain: present). Counts as a reader after the last pass, and hands the

@@ -29,13 +29,29 @@ std::string asker(const PassDesc* pass)
 
 bool for_images_only(Access access)
 {
-    return access == Access::color_write || access == Access::depth_write || access == Access::depth_read ||
-           access == Access::present;
+    return access == Access::color_write || access == Access::resolve_write || access == Access::depth_write ||
+           access == Access::depth_read || access == Access::present;
 }
 
 bool can_have(const ResourceDesc& resource, Access access)
 {
     return resource.is_image ? gpu::info(access).layout != VK_IMAGE_LAYOUT_UNDEFINED : !for_images_only(access);
+}
+
+/// Images with several samples are drawn to and sampled, and nothing else.
+bool takes_samples(Access access)
+{
+    switch (access) {
+    case Access::color_write:
+    case Access::depth_write:
+    case Access::depth_read:
+    case Access::sampled_fragment:
+    case Access::sampled_compute:
+    case Access::sampled_vertex:
+        return true;
+    default:
+        return false;
+    }
 }
 
 bool inside(std::uint32_t first, std::uint32_t count, std::uint32_t end)
@@ -56,6 +72,8 @@ void check_use(const GraphDesc& graph, const PassDesc* pass, const Use& use)
         refuse(pass, resource,
                fmt::format("as {}, which {} cannot be", name, resource.is_image ? "an image" : "a buffer"));
     }
+    if (resource.is_image && resource.samples > 1 && !takes_samples(use.access))
+        refuse(pass, resource, fmt::format("as {}, which an image with {} samples cannot be", name, resource.samples));
     if (use.discard && !gpu::is_write(use.access)) refuse(pass, resource, "as " + name + " and discards what it reads");
     if (resource.is_image && (!inside(use.range.first_mip, use.range.mips, resource.mips) ||
                               !inside(use.range.first_layer, use.range.layers, resource.layers))) {
@@ -72,6 +90,16 @@ void check_resource(const ResourceDesc& resource)
         throw std::logic_error(fmt::format("graph: resource \"{}\" {}", resource.name, why));
     };
     if (resource.is_image && (resource.mips == 0 || resource.layers == 0)) wrong("has no mips or no layers");
+    if (resource.samples > 1 && resource.mips > 1) wrong("has several samples and several mips");
+    if (!std::has_single_bit(resource.samples)) wrong("has a number of samples that is not a power of two");
+    if (!resource.initial_parts.empty()) {
+        if (resource.transient) wrong("is transient and has a state from before");
+        if (resource.initial_parts.size() != subresource_count(resource)) wrong("has not one state for each part");
+        for (const PartState& part : resource.initial_parts) {
+            if (part.last != Access::none && !can_have(resource, part.last))
+                wrong("was last used in a way that it cannot be");
+        }
+    }
     if (!std::has_single_bit(resource.alignment)) wrong("has an alignment that is not a power of two");
     if (resource.size > std::uint64_t{1} << 48) wrong("is larger than any memory");
     if (resource.initial >= Access::count) wrong("was last used in no way there is");
@@ -126,14 +154,8 @@ std::vector<PassDemands> collect_demands(const GraphDesc& graph)
         for (const Use& use : pass.uses) {
             check_use(graph, &pass, use);
             const ResourceDesc& resource = graph.resources[use.resource];
-            const SubresourceRange range = resource.is_image ? use.range : SubresourceRange{};
-            const std::uint32_t mips = resource.is_image ? resource.mips : 1;
             std::vector<Demand>& grid = demand_on(graph, use.resource, out[p]).subresources;
-            for (std::uint32_t layer = range.first_layer; layer < range.first_layer + range.layers; ++layer) {
-                for (std::uint32_t mip = range.first_mip; mip < range.first_mip + range.mips; ++mip) {
-                    add(grid[std::size_t{layer} * mips + mip], use, &pass, resource);
-                }
-            }
+            each_part(resource, use.range, [&](std::size_t s) { add(grid[s], use, &pass, resource); });
         }
     }
     return out;
@@ -158,7 +180,10 @@ PassDemands collect_finals(const GraphDesc& graph, std::span<const FinalUse> fin
 void check_reads(const GraphDesc& graph, const std::vector<PassDemands>& passes, const PassDemands& finals)
 {
     std::vector<std::vector<bool>> written;
-    for (const ResourceDesc& r : graph.resources) written.emplace_back(subresource_count(r), !r.transient);
+    for (const ResourceDesc& r : graph.resources) {
+        std::vector<bool>& parts = written.emplace_back(subresource_count(r), !r.transient);
+        for (std::size_t s = 0; s < r.initial_parts.size(); ++s) parts[s] = r.initial_parts[s].defined;
+    }
 
     const auto check = [&](const PassDemands& demands, const PassDesc* pass) {
         for (const ResourceDemand& d : demands) {

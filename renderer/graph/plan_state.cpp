@@ -18,11 +18,16 @@ SubresourceState::SubresourceState(const ResourceDesc& resource, const MemoryWai
         takes_memory_ = wait.others;
         return;
     }
-    if (resource.initial == Access::none) return;
-    const gpu::AccessInfo& initial = gpu::info(resource.initial);
-    last_ = resource.initial;
-    if (resource.is_image) layout_ = initial.layout;
-    write_ = {initial.stages | resource.initial_wait.stages, initial.writes | resource.initial_wait.access};
+    *this = SubresourceState(resource.is_image, {resource.initial, resource.initial_wait, true});
+}
+
+SubresourceState::SubresourceState(bool is_image, const PartState& before)
+{
+    if (before.last == Access::none) return;
+    const gpu::AccessInfo& initial = gpu::info(before.last);
+    last_ = before.last;
+    if (is_image) layout_ = initial.layout;
+    write_ = {initial.stages | before.wait.stages, initial.writes | before.wait.access};
     if (write_.access != 0) return;
     // Who wrote it is not known any more, only that these readers came after and saw it.
     readers_ = write_.stages;
@@ -96,6 +101,7 @@ std::optional<Barrier> SubresourceState::use(const Demand& demand, bool last)
     layout_ = demand.layout;
     last_ = demand.kind;
     used_ = true;
+    written_ = written_ || demand.writes != 0;
     takes_memory_ = false;
     return barrier;
 }

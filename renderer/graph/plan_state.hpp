@@ -32,6 +32,18 @@ using PassDemands = std::vector<ResourceDemand>;
 
 [[nodiscard]] std::size_t subresource_count(const ResourceDesc& resource);
 
+/// Calls `function` with the index of each subresource in the range.
+template <class F>
+void each_part(const ResourceDesc& resource, const SubresourceRange& of_image, F&& function)
+{
+    const SubresourceRange range = resource.is_image ? of_image : SubresourceRange{};
+    const std::uint32_t mips = resource.is_image ? resource.mips : 1;
+    for (std::uint32_t layer = range.first_layer; layer < range.first_layer + range.layers; ++layer) {
+        for (std::uint32_t mip = range.first_mip; mip < range.first_mip + range.mips; ++mip)
+            function(std::size_t{layer} * mips + mip);
+    }
+}
+
 /// What each pass of the graph asks, in order of declaration; and what the end of the frame asks.
 /// Both throw std::logic_error for what make_plan() says.
 [[nodiscard]] std::vector<PassDemands> collect_demands(const GraphDesc& graph);
@@ -51,6 +63,7 @@ class SubresourceState {
 public:
     SubresourceState() = default;
     SubresourceState(const ResourceDesc& resource, const MemoryWait& wait);
+    SubresourceState(bool is_image, const PartState& before);
 
     /// The dependency that `demand` needs on what came before, if any; the state after it.
     /// @param last  the final use: readers before it are waited for too, even by a reader
@@ -60,6 +73,7 @@ public:
     [[nodiscard]] Scope outstanding() const;
     [[nodiscard]] Access last_access() const { return last_; }
     [[nodiscard]] bool used() const { return used_; }
+    [[nodiscard]] bool written() const { return written_; } ///< by a pass of this frame
 
 private:
     [[nodiscard]] bool sees_last_write(const Demand& demand) const;
@@ -68,6 +82,7 @@ private:
     VkImageLayout layout_ = VK_IMAGE_LAYOUT_UNDEFINED;
     Access last_ = Access::none;
     bool used_ = false;                 ///< by a pass of this frame
+    bool written_ = false;              ///< by a pass of this frame
     bool takes_memory_ = false;         ///< until the first use
     Scope write_;                       ///< last write, or change of layout (available by itself: no access)
     VkPipelineStageFlags2 readers_ = 0; ///< since then; each of them is ordered after the write

@@ -29,6 +29,7 @@ constexpr std::array stage_names{
     BitName{VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT, "color"},
     BitName{VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, "compute"},
     BitName{VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, "transfer"},
+    BitName{VK_PIPELINE_STAGE_2_ACCELERATION_STRUCTURE_BUILD_BIT_KHR, "acceleration_build"},
     BitName{VK_PIPELINE_STAGE_2_HOST_BIT, "host"},
 };
 
@@ -43,6 +44,9 @@ constexpr std::array access_names{
     BitName{VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT, "color_write"},
     BitName{VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT, "depth_read"},
     BitName{VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT, "depth_write"},
+    BitName{VK_ACCESS_2_SHADER_READ_BIT, "shader_read"},
+    BitName{VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR, "acceleration_read"},
+    BitName{VK_ACCESS_2_ACCELERATION_STRUCTURE_WRITE_BIT_KHR, "acceleration_write"},
     BitName{VK_ACCESS_2_TRANSFER_READ_BIT, "transfer_read"},
     BitName{VK_ACCESS_2_TRANSFER_WRITE_BIT, "transfer_write"},
     BitName{VK_ACCESS_2_HOST_READ_BIT, "host_read"},
@@ -98,12 +102,13 @@ std::string range_text(const ResourceDesc& resource, const SubresourceRange& ran
     return fmt::format("[mip {}, layer {}]", span(range.first_mip, range.mips), span(range.first_layer, range.layers));
 }
 
-std::string use_text(const GraphDesc& graph, const Use& use)
+std::string use_text(const GraphDesc& graph, const Use& use, bool unstored)
 {
     const ResourceDesc& resource = graph.resources[use.resource];
     const gpu::AccessInfo& info = gpu::info(use.access);
-    return fmt::format("{} {}{}: {}{}", info.writes ? "writes" : "reads", resource.name,
-                       range_text(resource, use.range), info.name, use.discard ? ", discards" : "");
+    return fmt::format("{} {}{}: {}{}{}", info.writes ? "writes" : "reads", resource.name,
+                       range_text(resource, use.range), info.name, use.discard ? ", discards" : "",
+                       unstored ? ", not stored" : "");
 }
 
 std::string barrier_text(const GraphDesc& graph, const Barrier& b)
@@ -212,7 +217,10 @@ std::string to_text(const GraphDesc& graph, const Plan& plan)
         const PassDesc& pass = graph.passes[planned.pass];
         out += fmt::format("pass {}{}\n", pass.name, pass.side_effect ? ", always" : "");
         for (const Barrier& b : planned.barriers) out += "    " + barrier_text(graph, b) + "\n";
-        for (const Use& use : pass.uses) out += "    " + use_text(graph, use) + "\n";
+        for (std::size_t u = 0; u < pass.uses.size(); ++u) {
+            const bool unstored = u < 64 && ((planned.unstored >> u) & 1) != 0;
+            out += "    " + use_text(graph, pass.uses[u], unstored) + "\n";
+        }
     }
     if (!plan.final_barriers.empty()) out += "end of frame\n";
     for (const Barrier& b : plan.final_barriers) out += "    " + barrier_text(graph, b) + "\n";

@@ -34,7 +34,9 @@ GraphDesc Runner::describe(const Graph& graph)
         ResourceDesc desc;
         desc.name = r.name;
         desc.is_image = r.is_image;
+        desc.mips = r.desc.mips;
         desc.layers = r.desc.layers;
+        desc.samples = r.desc.samples;
         desc.transient = !r.is_imported();
         desc.keep = r.keep;
         desc.initial = r.initial;
@@ -45,6 +47,21 @@ GraphDesc Runner::describe(const Graph& graph)
     return out;
 }
 
+namespace {
+
+/// What the pass is about in size and samples.
+Tex any_target(const Pass& pass)
+{
+    return pass.colors.empty() ? pass.depth.value().texture : pass.colors.front().texture;
+}
+
+std::uint32_t samples_of(const Graph& graph, const Pass& pass)
+{
+    return pass.kind == PassKind::raster ? graph.desc(any_target(pass)).samples : 1;
+}
+
+} // namespace
+
 void Runner::prepare_pipelines(Graph& graph)
 {
     std::vector<gpu::GraphicsPipelineDesc> graphics;
@@ -54,6 +71,7 @@ void Runner::prepare_pipelines(Graph& graph)
         for (gpu::GraphicsPipelineDesc& desc : pass.graphics) {
             desc.colors.clear();
             for (const Attachment& color : pass.colors) desc.colors.push_back(graph.desc(color.texture).format);
+            desc.samples = samples_of(graph, pass);
             desc.depth = pass.depth ? graph.desc(pass.depth->texture).format : gpu::Format::none;
             graphics.push_back(desc);
         }
@@ -105,7 +123,7 @@ void Runner::record(VkCommandBuffer commands, Graph& graph, gpu::TimerMode mode,
         bind_resources(commands, pass);
         Cmd cmd(*this, commands);
         cmd.pass_ = &pass;
-        if (pass.kind == PassKind::raster) begin_rendering(commands, pass);
+        if (pass.kind == PassKind::raster) begin_rendering(commands, pass, planned.unstored);
         if (pass.record) pass.record(cmd);
         if (pass.kind == PassKind::raster) vkCmdEndRendering(commands);
         timers_.end(commands, mode);
@@ -117,24 +135,35 @@ void Runner::record(VkCommandBuffer commands, Graph& graph, gpu::TimerMode mode,
 
 void Runner::bind_resources(VkCommandBuffer commands, const Pass& pass)
 {
-    std::vector<gpu::PassImage> images;
+    std::vector<gpu::PassImage> images, storage_images;
     std::vector<VkBuffer> buffers;
     for (const Use& use : pass.uses) {
         const bool sampled = use.access == Access::sampled_fragment || use.access == Access::sampled_compute;
+        const bool storage = use.access == Access::storage_write || use.access == Access::storage_read ||
+                             use.access == Access::storage_fragment;
         if (described_.resources[use.resource].is_image) {
-            const gpu::Image& own = image(use.resource);
-            const bool whole = use.range.layers == own.desc().layers;
-            if (sampled)
-                images.push_back(
-                    {whole ? own.view() : own.layer_view(use.range.first_layer), gpu::info(use.access).layout});
-        } else if (sampled || use.access == Access::storage_write) {
+            if (!sampled && !storage) continue;
+            const SubresourceRange& r = use.range;
+            (sampled ? images : storage_images)
+                .push_back({image(use.resource).view({r.first_mip, r.mips, r.first_layer, r.layers}),
+                            gpu::info(use.access).layout});
+        } else if (sampled || storage) {
             buffers.push_back(buffer_of(use.resource));
         }
     }
     const auto point =
         pass.kind == PassKind::compute ? VK_PIPELINE_BIND_POINT_COMPUTE : VK_PIPELINE_BIND_POINT_GRAPHICS;
-    descriptors_.bind_pass(commands, point, images, buffers);
+    descriptors_.bind_pass(commands, point, images, buffers, storage_images);
 }
+
+namespace {
+
+bool is_integer(gpu::Format format)
+{
+    return format == gpu::Format::r32_uint || format == gpu::Format::rg32_uint;
+}
+
+} // namespace
 
 void Runner::issue(VkCommandBuffer cmd, const std::vector<Barrier>& barriers) const
 {
@@ -144,16 +173,23 @@ void Runner::issue(VkCommandBuffer cmd, const std::vector<Barrier>& barriers) co
         [this](ResourceIndex r) { return gpu::is_depth(graph_->resources_[r].desc.format); });
 }
 
-void Runner::begin_rendering(VkCommandBuffer cmd, const Pass& pass) const
+void Runner::begin_rendering(VkCommandBuffer cmd, const Pass& pass, std::uint64_t unstored) const
 {
     const auto attachment = [&](const Attachment& a, VkImageLayout layout, bool is_depth) {
         VkRenderingAttachmentInfo info{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
-        info.imageView = image(a.texture.index).layer_view(a.layer);
+        info.imageView = image(a.texture.index).view({a.mip, 1, a.layer, 1});
         info.imageLayout = layout;
         info.loadOp = a.load == Load::clear     ? VK_ATTACHMENT_LOAD_OP_CLEAR
                       : a.load == Load::discard ? VK_ATTACHMENT_LOAD_OP_DONT_CARE
                                                 : VK_ATTACHMENT_LOAD_OP_LOAD;
-        info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+        const bool stored = a.use >= 64 || ((unstored >> a.use) & 1) == 0;
+        info.storeOp = stored ? VK_ATTACHMENT_STORE_OP_STORE : VK_ATTACHMENT_STORE_OP_DONT_CARE;
+        if (a.resolve) {
+            info.resolveMode = is_integer(graph_->desc(a.texture).format) ? VK_RESOLVE_MODE_SAMPLE_ZERO_BIT
+                                                                          : VK_RESOLVE_MODE_AVERAGE_BIT;
+            info.resolveImageView = image(a.resolve.index).view();
+            info.resolveImageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+        }
         if (is_depth) {
             info.clearValue.depthStencil = {a.clear.x, 0};
         } else {
@@ -171,17 +207,16 @@ void Runner::begin_rendering(VkCommandBuffer cmd, const Pass& pass) const
         // A depth image that is only tested keeps its contents without being stored again.
         if (!pass.depth_writes) depth.storeOp = VK_ATTACHMENT_STORE_OP_NONE;
     }
-    const Tex any = pass.colors.empty() ? pass.depth.value().texture : pass.colors.front().texture;
-    const TexDesc& size = graph_->desc(any);
+    const uvec2 size = graph_->size(any_target(pass), pass.colors.empty() ? 0 : pass.colors.front().mip);
 
     VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
-    info.renderArea.extent = {size.width, size.height};
+    info.renderArea.extent = {size.x, size.y};
     info.layerCount = 1;
     info.colorAttachmentCount = static_cast<std::uint32_t>(colors.size());
     info.pColorAttachments = colors.data();
     info.pDepthAttachment = pass.depth ? &depth : nullptr;
     vkCmdBeginRendering(cmd, &info);
-    set_viewport(cmd, uvec2(0), {size.width, size.height});
+    set_viewport(cmd, uvec2(0), size);
     vkCmdSetCullMode(cmd, VK_CULL_MODE_NONE);
 }
 

@@ -44,7 +44,7 @@ private:
     void record(VkCommandBuffer cmd, Graph& graph, gpu::TimerMode mode, RunStats& stats);
     void bind_resources(VkCommandBuffer cmd, const Pass& pass);
     void issue(VkCommandBuffer cmd, const std::vector<Barrier>& barriers) const;
-    void begin_rendering(VkCommandBuffer cmd, const Pass& pass) const;
+    void begin_rendering(VkCommandBuffer cmd, const Pass& pass, std::uint64_t unstored) const;
     [[nodiscard]] const gpu::Image& image(ResourceIndex r) const;
     [[nodiscard]] VkImage image_of(ResourceIndex r) const;
     [[nodiscard]] VkBuffer buffer_of(ResourceIndex r) const;

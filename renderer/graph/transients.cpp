@@ -12,6 +12,7 @@ VkImageUsageFlags usage_of(ResourceIndex resource, const std::vector<Pass>& pass
             if (use.resource != resource) continue;
             switch (use.access) {
             case Access::color_write:
+            case Access::resolve_write:
                 usage |= VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
                 break;
             case Access::depth_write:
@@ -23,7 +24,9 @@ VkImageUsageFlags usage_of(ResourceIndex resource, const std::vector<Pass>& pass
             case Access::sampled_vertex:
                 usage |= VK_IMAGE_USAGE_SAMPLED_BIT;
                 break;
+            case Access::storage_read:
             case Access::storage_write:
+            case Access::storage_fragment:
                 usage |= VK_IMAGE_USAGE_STORAGE_BIT;
                 break;
             case Access::transfer_read:
@@ -55,7 +58,8 @@ void Runner::Transients::make(Entry& entry)
     if (d.is_image) {
         if (d.usage == 0) return; // declared, never used
         entry.image = gpu::Image::create_unbound(
-            device_, d.name, {d.desc.format, d.desc.width, d.desc.height, 1, d.desc.layers, d.usage});
+            device_, d.name,
+            {d.desc.format, d.desc.width, d.desc.height, d.desc.mips, d.desc.layers, d.usage, d.desc.samples});
         entry.requirements = entry.image.requirements();
     } else {
         constexpr VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT |
