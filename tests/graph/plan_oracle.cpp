@@ -136,9 +136,10 @@ std::string check_order(const std::vector<const Event*>& events, bool across)
 }
 
 /// Layouts and contents of one subresource.
-std::string check_layouts(const std::vector<const Event*>& events, const ResourceDesc& resource, VkImageLayout layout)
+std::string check_layouts(const std::vector<const Event*>& events, const ResourceDesc& resource, VkImageLayout layout,
+                          bool defined)
 {
-    bool defined = !resource.transient && resource.initial != Access::none;
+    const bool starts_known = !resource.initial_parts.empty();
     bool lost = false;
     std::size_t frame = 0;
     for (const Event* e : events) {
@@ -164,6 +165,8 @@ std::string check_layouts(const std::vector<const Event*>& events, const Resourc
             for (const VkImageLayout wanted : e->layouts) {
                 if (wanted != layout) return fmt::format("wrong layout for the use at {}", e->moment);
             }
+            if (starts_known && !defined && e->writes == 0)
+                return fmt::format("nothing was written before the use at {}", e->moment);
             if (lost && !e->discard) return fmt::format("contents lost before the use at {}", e->moment);
             defined = defined || e->writes != 0;
             lost = false;
@@ -197,8 +200,9 @@ void add_use(const GraphDesc& graph, const Use& use, Event& e)
 
 void Oracle::add_past(const ResourceDesc& resource, Cell& cell) const
 {
-    if (resource.transient || resource.initial == Access::none || resource.initial == Access::present) return;
-    const gpu::AccessInfo& info = gpu::info(resource.initial);
+    const PartState& before = cell.before;
+    if (resource.transient || before.last == Access::none || before.last == Access::present) return;
+    const gpu::AccessInfo& info = gpu::info(before.last);
     Event e;
     e.past = true;
     e.name = resource.name;
@@ -209,18 +213,25 @@ void Oracle::add_past(const ResourceDesc& resource, Cell& cell) const
         cell.events.push_back(e);
     }
     e.kind = Event::Kind::use;
-    e.stages = info.stages | resource.initial_wait.stages;
+    e.stages = info.stages | before.wait.stages;
     e.access = info.access;
-    e.writes = info.writes | resource.initial_wait.access;
+    e.writes = info.writes | before.wait.access;
     cell.events.push_back(e);
+}
+
+ResourceIndex Oracle::index_in(std::size_t f, ResourceIndex memory) const
+{
+    const std::vector<ResourceIndex>& of = frames_[f].memory_of;
+    return of.empty() ? memory : static_cast<ResourceIndex>(std::find(of.begin(), of.end(), memory) - of.begin());
 }
 
 void Oracle::add_frame(std::size_t f, std::uint32_t mip, std::uint32_t layer, Cell& cell) const
 {
     const Frame& frame = frames_[f];
-    const ResourceDesc& resource = frame.graph.resources[cell.resource];
+    const ResourceIndex index = index_in(f, cell.resource);
+    const ResourceDesc& resource = frame.graph.resources[index];
     Event blank;
-    blank.name = resource.name;
+    blank.name = frames_.front().graph.resources[cell.resource].name;
     blank.frame = f;
     std::size_t moment = f * 1000000;
     if (!resource.transient && resource.initial == Access::present) {
@@ -231,7 +242,7 @@ void Oracle::add_frame(std::size_t f, std::uint32_t mip, std::uint32_t layer, Ce
     const auto add_barriers = [&](std::size_t pass, const std::vector<Barrier>& barriers) {
         ++moment;
         for (std::size_t b = 0; b < barriers.size(); ++b) {
-            if (barriers[b].resource != cell.resource || !covers(barriers[b].range, mip, layer)) continue;
+            if (barriers[b].resource != index || !covers(barriers[b].range, mip, layer)) continue;
             Event e = blank;
             e.kind = Event::Kind::barrier;
             e.moment = moment;
@@ -247,7 +258,7 @@ void Oracle::add_frame(std::size_t f, std::uint32_t mip, std::uint32_t layer, Ce
         e.moment = moment;
         bool used = false;
         for (const Use& use : frame.graph.passes[frame.plan.passes[p].pass].uses) {
-            if (use.resource != cell.resource || (resource.is_image && !covers(use.range, mip, layer))) continue;
+            if (use.resource != index || (resource.is_image && !covers(use.range, mip, layer))) continue;
             add_use(frame.graph, use, e);
             used = true;
         }
@@ -258,7 +269,7 @@ void Oracle::add_frame(std::size_t f, std::uint32_t mip, std::uint32_t layer, Ce
     }
     add_barriers(frame.plan.passes.size(), frame.plan.final_barriers);
     for (const FinalUse& final_use : frame.finals) {
-        if (final_use.resource != cell.resource) continue;
+        if (final_use.resource != index) continue;
         Event e = blank;
         e.moment = moment;
         e.last = true;
@@ -274,7 +285,10 @@ Oracle::Oracle(std::vector<Frame> frames) : frames_(std::move(frames))
         const ResourceDesc& resource = graph.resources[r];
         for (std::uint32_t layer = 0; layer < (resource.is_image ? resource.layers : 1); ++layer) {
             for (std::uint32_t mip = 0; mip < (resource.is_image ? resource.mips : 1); ++mip) {
-                Cell cell{r, {}};
+                PartState before{resource.initial, resource.initial_wait, resource.initial != Access::none};
+                if (!resource.initial_parts.empty())
+                    before = resource.initial_parts[std::size_t{layer} * resource.mips + mip];
+                Cell cell{r, before, {}};
                 add_past(resource, cell);
                 for (std::size_t f = 0; f < frames_.size(); ++f) add_frame(f, mip, layer, cell);
                 cells_.push_back(std::move(cell));
@@ -303,7 +317,8 @@ std::string Oracle::check_cell(const Cell& cell, const std::optional<BarrierId>&
     }
     const bool has_layout = resource.is_image && !resource.transient;
     std::string what =
-        check_layouts(events, resource, has_layout ? gpu::info(resource.initial).layout : VK_IMAGE_LAYOUT_UNDEFINED);
+        check_layouts(events, resource, has_layout ? gpu::info(cell.before.last).layout : VK_IMAGE_LAYOUT_UNDEFINED,
+                      cell.before.defined);
     if (what.empty()) what = check_order(events, false);
     return what.empty() ? "" : resource.name + ": " + what;
 }
@@ -331,7 +346,8 @@ std::string Oracle::problem() const
 
 std::string Oracle::problem_without(const BarrierId& left_out) const
 {
-    const ResourceIndex resource = barrier(left_out).resource;
+    const std::vector<ResourceIndex>& of = frames_[left_out.frame].memory_of;
+    const ResourceIndex named = barrier(left_out).resource, resource = of.empty() ? named : of[named];
     for (const Cell& cell : cells_) {
         if (cell.resource != resource) continue;
         if (std::string what = check_cell(cell, left_out); !what.empty()) return what;

@@ -16,6 +16,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace atrium::graph::oracle {
@@ -24,6 +25,11 @@ struct Frame {
     GraphDesc graph;
     std::vector<FinalUse> finals;
     Plan plan;
+    /// Of the first frame's resources, whose memory each has; empty: its own. Pairs of a history swap.
+    std::vector<ResourceIndex> memory_of{};
+    /// Images of this frame, and what the one before left in their place.
+    std::vector<std::pair<ResourceIndex, ResourceIndex>> histories{};
+    std::vector<PassDesc> passes_with_history{}; ///< when histories are valid
 };
 
 /// One barrier of one frame. `pass` is an index into the plan's passes, or their number for the final barriers.
@@ -62,10 +68,12 @@ public:
 
 private:
     struct Cell {
-        ResourceIndex resource;
+        ResourceIndex resource; ///< of the first frame
+        PartState before;
         std::vector<Event> events;
     };
     void add_past(const ResourceDesc& resource, Cell& cell) const;
+    [[nodiscard]] ResourceIndex index_in(std::size_t f, ResourceIndex memory) const;
     void add_frame(std::size_t f, std::uint32_t mip, std::uint32_t layer, Cell& cell) const;
     [[nodiscard]] std::string check_cell(const Cell& cell, const std::optional<BarrierId>& left_out) const;
     [[nodiscard]] std::string check_pair(const Cell& a, const Cell& b, const std::optional<BarrierId>& left_out) const;
@@ -78,5 +86,7 @@ private:
 /// What is wrong with the choice of passes, or with the placing of transients; empty when nothing is.
 [[nodiscard]] std::string passes_problem(const Frame& frame);
 [[nodiscard]] std::string placement_problem(const Frame& frame);
+/// What is wrong with the attachments that are not stored, and with what the next frame learns of contents.
+[[nodiscard]] std::string contents_problem(const Frame& frame);
 
 } // namespace atrium::graph::oracle

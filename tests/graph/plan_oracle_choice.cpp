@@ -99,6 +99,57 @@ std::string passes_problem(const Frame& frame)
     return frame.plan.dropped == dropped ? "" : "other passes are dropped than should be";
 }
 
+namespace {
+
+/// Of one planned pass: the uses that leave behind what nobody wants.
+std::uint64_t idle_attachments(const Frame& frame, const std::vector<bool>& runs, std::size_t pass)
+{
+    std::uint64_t out = 0;
+    const std::vector<Use>& uses = frame.graph.passes[pass].uses;
+    for (std::size_t u = 0; u < uses.size(); ++u) {
+        const Use& use = uses[u];
+        if (use.access != Access::color_write && use.access != Access::depth_write) continue;
+        bool wanted = false;
+        for (std::uint32_t l = use.range.first_layer; l < use.range.first_layer + use.range.layers; ++l) {
+            for (std::uint32_t m = use.range.first_mip; m < use.range.first_mip + use.range.mips; ++m)
+                wanted = wanted || matters(frame, runs, pass, use.resource, m, l);
+        }
+        if (!wanted) out |= std::uint64_t{1} << u;
+    }
+    return out;
+}
+
+bool is_written(const Frame& frame, ResourceIndex r, std::uint32_t mip, std::uint32_t layer)
+{
+    return std::any_of(frame.plan.passes.begin(), frame.plan.passes.end(),
+                       [&](const PlannedPass& p) { return touch(frame, p.pass, r, mip, layer).writes; }) ||
+           std::any_of(frame.finals.begin(), frame.finals.end(),
+                       [&](const FinalUse& f) { return f.resource == r && gpu::is_write(f.access); });
+}
+
+} // namespace
+
+std::string contents_problem(const Frame& frame)
+{
+    std::vector<bool> runs(frame.graph.passes.size(), false);
+    for (const PlannedPass& p : frame.plan.passes) runs[p.pass] = true;
+    for (const PlannedPass& p : frame.plan.passes) {
+        if (p.unstored != idle_attachments(frame, runs, p.pass))
+            return "other attachments of " + frame.graph.passes[p.pass].name + " are stored than should be";
+    }
+    for (ResourceIndex r = 0; r < frame.graph.resources.size(); ++r) {
+        const ResourceDesc& resource = frame.graph.resources[r];
+        const std::vector<PartState>& ends = frame.plan.final_parts[r];
+        if (ends.size() != resource.initial_parts.size()) return resource.name + " ends in other parts than it began";
+        for (std::uint32_t s = 0; s < ends.size(); ++s) {
+            const bool defined =
+                resource.initial_parts[s].defined || is_written(frame, r, s % resource.mips, s / resource.mips);
+            if (ends[s].defined != defined) return resource.name + " is said to hold what it does not, or not to";
+        }
+    }
+    return "";
+}
+
 std::string placement_problem(const Frame& frame)
 {
     const std::vector<ResourceDesc>& resources = frame.graph.resources;

@@ -17,7 +17,8 @@ public:
         const std::uint32_t resources = 2 + below(7), passes = 2 + below(9);
         for (std::uint32_t r = 0; r < resources; ++r) add_resource(r);
         for (std::uint32_t p = 0; p < passes; ++p) add_pass(p);
-        for (ResourceIndex r = 0; r < resources; ++r) add_final(r);
+        for (ResourceIndex r = 0; r < frame_.graph.resources.size(); ++r) add_final(r);
+        if (!frame_.histories.empty()) leave_out_histories();
         return std::move(frame_);
     }
 
@@ -33,21 +34,34 @@ private:
     Access image_read()
     {
         return one_of({Access::sampled_fragment, Access::sampled_fragment, Access::sampled_compute,
-                       Access::sampled_vertex, Access::depth_read, Access::transfer_read, Access::host_read});
+                       Access::sampled_vertex, Access::depth_read, Access::storage_read, Access::transfer_read,
+                       Access::host_read});
     }
     Access image_write()
     {
-        return one_of({Access::color_write, Access::color_write, Access::depth_write, Access::storage_write,
-                       Access::transfer_write});
+        return one_of({Access::color_write, Access::color_write, Access::resolve_write, Access::depth_write,
+                       Access::storage_write, Access::storage_write, Access::storage_fragment, Access::transfer_write});
+    }
+    Access multisampled(bool write)
+    {
+        if (write) return one_of({Access::color_write, Access::depth_write});
+        return one_of({Access::sampled_fragment, Access::sampled_compute, Access::sampled_vertex, Access::depth_read});
     }
     Access buffer_read()
     {
         return one_of({Access::sampled_fragment, Access::sampled_compute, Access::sampled_vertex, Access::indirect_read,
-                       Access::index_read, Access::vertex_read, Access::transfer_read, Access::host_read});
+                       Access::index_read, Access::vertex_read, Access::transfer_read, Access::host_read,
+                       Access::storage_read, Access::address_fragment, Access::address_compute, Access::address_vertex,
+                       Access::acceleration_input, Access::acceleration_fragment, Access::acceleration_compute});
     }
-    Access buffer_write() { return one_of({Access::storage_write, Access::storage_write, Access::transfer_write}); }
+    Access buffer_write()
+    {
+        return one_of({Access::storage_write, Access::storage_write, Access::storage_fragment, Access::transfer_write,
+                       Access::address_write, Access::acceleration_build});
+    }
     Access any(const ResourceDesc& r, bool write)
     {
+        if (r.is_image && r.samples > 1) return multisampled(write);
         if (r.is_image) return write ? image_write() : image_read();
         return write ? buffer_write() : buffer_read();
     }
@@ -61,6 +75,8 @@ private:
             r.mips = 1 + below(3);
             r.layers = 1 + below(2);
         }
+        if (r.is_image && r.mips == 1 && chance(20)) r.samples = 4;
+        if (chance(20)) return add_persistent(r);
         r.transient = chance(70);
         r.keep = chance(25);
         if (r.transient) {
@@ -74,6 +90,45 @@ private:
         }
         written_.emplace_back(std::size_t{r.mips} * r.layers, !r.transient);
         frame_.graph.resources.push_back(r);
+    }
+
+    /// One whose state the frames hand on, alone or as a pair with what the frame before left.
+    void add_persistent(ResourceDesc r)
+    {
+        r.transient = false;
+        r.keep = true;
+        r.initial_parts.resize(std::size_t{r.mips} * r.layers);
+        std::vector<bool> written(r.initial_parts.size(), false);
+        const bool used_before = chance(50), has_history = chance(40);
+        for (std::size_t s = 0; used_before && s < r.initial_parts.size(); ++s) {
+            PartState& part = r.initial_parts[s];
+            part.last = any(r, chance(50));
+            if (!gpu::is_write(part.last) && chance(30)) part.wait.stages = gpu::info(any(r, false)).stages;
+            part.defined = !has_history && chance(80);
+            written[s] = part.defined;
+        }
+        written_.push_back(written);
+        frame_.graph.resources.push_back(r);
+        if (!has_history) return;
+        const auto index = static_cast<ResourceIndex>(frame_.graph.resources.size());
+        frame_.histories.emplace_back(index - 1, index);
+        r.name += ".before";
+        written_.emplace_back(r.initial_parts.size(), true); // in frames with a history
+        frame_.graph.resources.push_back(std::move(r));
+    }
+
+    bool is_history(ResourceIndex index)
+    {
+        return std::any_of(frame_.histories.begin(), frame_.histories.end(),
+                           [&](const auto& pair) { return pair.second == index; });
+    }
+
+    /// The first frame has no history to read.
+    void leave_out_histories()
+    {
+        frame_.passes_with_history = frame_.graph.passes;
+        for (PassDesc& pass : frame_.graph.passes)
+            std::erase_if(pass.uses, [&](const Use& use) { return is_history(use.resource); });
     }
 
     SubresourceRange random_range(const ResourceDesc& r)
@@ -136,7 +191,7 @@ private:
             use.range = r.is_image ? random_range(r) : SubresourceRange{};
             bool readable = true;
             each_cell(use, [&](std::size_t cell) { readable = readable && written_[use.resource][cell]; });
-            use.access = any(r, !readable || chance(45));
+            use.access = any(r, !is_history(use.resource) && (!readable || chance(45)));
             use.discard = gpu::is_write(use.access) && chance(35);
             if (fits(pass, use)) pass.uses.push_back(use);
         }
@@ -150,10 +205,12 @@ private:
     void add_final(ResourceIndex index)
     {
         const ResourceDesc& r = frame_.graph.resources[index];
+        if (is_history(index)) return;
         const std::vector<bool>& written = written_[index];
         const bool possible = std::find(written.begin(), written.end(), false) == written.end();
         // What came from the window system goes back there; images of many parts end in one layout.
-        const bool needed = !r.transient && (r.initial == Access::present || written.size() > 1);
+        const bool needed =
+            !r.transient && r.initial_parts.empty() && (r.initial == Access::present || written.size() > 1);
         if (!possible || (!needed && !chance(r.transient ? 8 : 40))) return;
         const bool presents = r.initial == Access::present;
         frame_.finals.push_back({index, presents ? Access::present : any(r, chance(10))});
@@ -179,6 +236,19 @@ oracle::Frame next_frame(const oracle::Frame& previous)
         if (resource.transient) continue;
         resource.initial = previous.plan.final_access[r];
         resource.initial_wait = previous.plan.final_waits[r];
+        resource.initial_parts = previous.plan.final_parts[r];
+    }
+    if (out.histories.empty()) return out;
+    for (ResourceIndex r = 0; r < out.graph.resources.size(); ++r) out.memory_of.push_back(r);
+    bool valid = true;
+    for (const auto& [now, before] : out.histories) {
+        for (const PartState& part : previous.plan.final_parts[now]) valid = valid && part.defined;
+    }
+    if (!valid) return out;
+    out.graph.passes = out.passes_with_history;
+    for (const auto& [now, before] : out.histories) {
+        std::swap(out.graph.resources[now].initial_parts, out.graph.resources[before].initial_parts);
+        std::swap(out.memory_of[now], out.memory_of[before]);
     }
     return out;
 }

@@ -25,18 +25,24 @@ std::vector<oracle::Frame> two_frames(std::uint64_t seed)
 /// transient waits for in the first frame may be a frame that never was.
 bool must_be_needed(const oracle::Oracle& judge, const std::vector<oracle::Frame>& frames, const oracle::BarrierId& id)
 {
-    return frames[0].graph.resources[judge.barrier(id).resource].transient == (id.frame == 1);
+    return frames[id.frame].graph.resources[judge.barrier(id).resource].transient == (id.frame == 1);
 }
 
 TEST(random_graphs, every_hazard_is_ordered_and_no_barrier_is_idle)
 {
-    std::size_t barriers = 0, tried = 0, passes = 0, dropped = 0, taken = 0, partial = 0;
+    std::size_t barriers = 0, tried = 0, passes = 0, dropped = 0, taken = 0, partial = 0, unstored = 0, histories = 0,
+                resolves = 0, storage = 0, persistent = 0;
     for (std::uint64_t seed = 0; seed < graphs; ++seed) {
         const std::vector<oracle::Frame> frames = two_frames(seed);
         ASSERT_EQ(oracle::passes_problem(frames[0]), "") << "seed " << seed << "\n"
                                                          << to_text(frames[0].graph, frames[0].plan);
         ASSERT_EQ(oracle::placement_problem(frames[0]), "") << "seed " << seed << "\n"
                                                             << to_text(frames[0].graph, frames[0].plan);
+        for (const oracle::Frame& frame : frames) {
+            ASSERT_EQ(oracle::contents_problem(frame), "") << "seed " << seed << "\n"
+                                                           << to_text(frame.graph, frame.plan);
+            for (const PlannedPass& pass : frame.plan.passes) unstored += pass.unstored != 0;
+        }
         const oracle::Oracle judge(frames);
         ASSERT_EQ(judge.problem(), "") << "seed " << seed << "\n"
                                        << to_text(frames[0].graph, frames[0].plan)
@@ -55,6 +61,16 @@ TEST(random_graphs, every_hazard_is_ordered_and_no_barrier_is_idle)
                 << id.barrier << " is not needed\n"
                 << to_text(frames[0].graph, frames[0].plan) << to_text(frames[1].graph, frames[1].plan);
         }
+        for (const PlannedPass& pass : frames[1].plan.passes) {
+            for (const Use& use : frames[1].graph.passes[pass.pass].uses) {
+                const ResourceDesc& used = frames[1].graph.resources[use.resource];
+                resolves += use.access == Access::resolve_write;
+                storage += used.is_image && gpu::info(use.access).layout == VK_IMAGE_LAYOUT_GENERAL &&
+                           use.access != Access::host_read;
+                persistent += !used.initial_parts.empty();
+                for (const auto& [now, before] : frames[1].histories) histories += use.resource == before;
+            }
+        }
         passes += frames[0].plan.passes.size();
         dropped += frames[0].plan.dropped.size();
     }
@@ -64,6 +80,11 @@ TEST(random_graphs, every_hazard_is_ordered_and_no_barrier_is_idle)
     EXPECT_GT(tried, 5 * graphs);
     EXPECT_GT(taken, graphs / 2);
     EXPECT_GT(partial, graphs);
+    EXPECT_GT(unstored, graphs / 4);
+    EXPECT_GT(resolves, graphs / 4);
+    EXPECT_GT(storage, graphs);
+    EXPECT_GT(persistent, graphs);
+    EXPECT_GT(histories, graphs / 20);
     RecordProperty("barriers", static_cast<int>(barriers));
     RecordProperty("barriers_left_out", static_cast<int>(tried));
 }
