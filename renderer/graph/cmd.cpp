@@ -125,6 +125,16 @@ void Cmd::copy(Tex from, Buf to, std::uint32_t mip)
                            runner_.buffer_of(to.index), 1, &region);
 }
 
+void Cmd::copy(Buf from, Tex to)
+{
+    const uvec2 size = runner_.graph_->size(to);
+    VkBufferImageCopy region{};
+    region.imageSubresource = first_layer(runner_.graph_->desc(to));
+    region.imageExtent = {size.x, size.y, 1};
+    vkCmdCopyBufferToImage(commands_, runner_.buffer_of(from.index), runner_.image_of(to.index),
+                           VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+}
+
 void Cmd::copy(Tex from, Tex to)
 {
     const TexDesc& desc = runner_.graph_->desc(from);

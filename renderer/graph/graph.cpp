@@ -92,7 +92,8 @@ std::optional<Tex> Graph::find(const std::string& name) const
 std::vector<std::pair<std::string, Tex>> Graph::readable_images() const
 {
     std::vector<bool> readable(resources_.size());
-    for (std::size_t i = 0; i < resources_.size(); ++i) readable[i] = resources_[i].imported_image;
+    for (std::size_t i = 0; i < resources_.size(); ++i)
+        readable[i] = resources_[i].imported_image || resources_[i].holds;
     for (const Pass& pass : passes_) {
         for (const Use& use : pass.uses) {
             if (resources_[use.resource].is_image && gpu::info(use.access).writes) readable[use.resource] = true;

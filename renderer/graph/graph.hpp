@@ -1,17 +1,22 @@
 #pragma once
 // The frame as passes that declare what they read and write. A Graph is built anew each frame (microseconds); the
-// Runner plans it, keeps the memory of its transient images from frame to frame, and records it.
+// Runner plans it, keeps the memory of its images from frame to frame, and records it.
 
 #include "renderer/core/math.hpp"
 #include "renderer/gpu/pipelines.hpp"
 #include "renderer/gpu/resources.hpp"
 #include "renderer/graph/plan.hpp"
 
+#include <algorithm>
 #include <array>
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -58,11 +63,47 @@ struct TexDesc {
 /// What a graph knows of the frame that it is built for.
 struct FrameInfo {
     uvec2 render_size{0}, output_size{0}; ///< pixels
+    /// Whose picture it is. Views that take turns on one runner each have a history of their own.
+    std::string view = "main";
+    bool cut = false; ///< what the view showed before says nothing of what it shows now: no history is valid
+};
+
+/// Who shares what lives from frame to frame, and how long it stays.
+enum class Owner : std::uint8_t {
+    view,    ///< each view has its own; released after several frames of the view that did not declare it
+    scene,   ///< one for all views; released the same way, counting frames of the view that declared it last
+    program, ///< one for all views, as long as the runner lives
+};
+
+struct PersistentOptions {
+    Owner owner = Owner::view;
+    std::string key{}; ///< what it is known by from frame to frame; empty: its name
+};
+
+/// What the frame before left in a persistent image or buffer.
+template <class Handle>
+struct History {
+    Handle before{};    ///< none where there are no contents at all
+    bool valid = false; ///< the view's frame before wrote it, at this size, and there was no cut
+};
+
+/// A declared persistent resource. Internal to the graph.
+struct PersistentUse {
+    std::string key;
+    std::uint64_t hash = 0;
+    Owner owner = Owner::view;
+    bool is_image = true;
+    TexDesc desc;
+    std::uint64_t bytes = 0;
+    ResourceIndex now = no_resource, before = no_resource;
+    bool history = false;
+    std::vector<std::byte> note;
 };
 
 enum class CullMode : std::uint8_t { none, back };
 enum class PassKind : std::uint8_t { raster, compute, transfer };
 
+class Persistents;
 class Runner;
 
 /// What a pass records with. Images and buffers that it declared are bound already (set 2, in order of declaration).
@@ -92,6 +133,7 @@ public:
     /// Enough groups of 8 x 8 for the texels of a mip.
     void dispatch_over(Tex image, std::uint32_t mip = 0);
     void copy(Tex from, Buf to, std::uint32_t mip = 0); ///< all texels of a mip, rows tightly packed
+    void copy(Buf from, Tex to);                        ///< the same the other way, mip 0
     void copy(Tex from, Tex to); ///< all texels as they stand, whatever both formats make of them
     void copy(Buf from, Buf to, std::uint64_t bytes);
     void fill(Buf buffer, std::uint32_t word);
@@ -201,10 +243,44 @@ class Graph {
 public:
     Graph() = default; ///< without textures of a relative size
     explicit Graph(const FrameInfo& frame) : frame_(frame) {}
+    Graph(Runner& runner, const FrameInfo& frame); ///< with persistent resources, which the runner keeps
 
     [[nodiscard]] Tex texture(std::string name, const TexDesc& desc);
     /// A buffer of the frame, `bytes` long, in device memory.
     [[nodiscard]] Buf buffer(std::string name, std::uint64_t bytes);
+    /// An image or buffer that lives from frame to frame, found again by its key. Other descriptions make it anew; what
+    /// holds nothing must be written before it is read. Throws std::logic_error in a graph without a runner, and where
+    /// the graph has one of that key and another description.
+    [[nodiscard]] Tex persistent(std::string name, const TexDesc& desc, const PersistentOptions& options = {});
+    [[nodiscard]] Buf persistent(std::string name, std::uint64_t bytes, const PersistentOptions& options = {});
+    /// What the frame before left in a persistent resource, which then has other memory in this frame, and holds
+    /// nothing until it is written. Before its first use.
+    [[nodiscard]] History<Tex> history(Tex texture);
+    [[nodiscard]] History<Buf> history(Buf buffer);
+    /// Whether a persistent resource holds what some earlier frame wrote.
+    [[nodiscard]] bool holds(Tex texture) const { return resources_[texture.index].holds; }
+    [[nodiscard]] bool holds(Buf buffer) const { return resources_[buffer.index].holds; }
+    /// The persistent image of that key as it is, if there is one that views share and it holds something.
+    [[nodiscard]] std::optional<Tex> kept(const std::string& key);
+    /// Says what a persistent resource will hold after the frame. Kept with the contents, if the frame comes to run;
+    /// contents that another frame writes without a note have none.
+    template <class T, class Handle>
+    void note(Handle resource, const T& what)
+    {
+        static_assert(std::is_trivially_copyable_v<T>);
+        write_note(resource.index, std::as_bytes(std::span(&what, 1)));
+    }
+    /// The note of what it holds now (of a history: of the frame before).
+    template <class T, class Handle>
+    [[nodiscard]] std::optional<T> noted(Handle resource) const
+    {
+        static_assert(std::is_trivially_copyable_v<T>);
+        const std::span<const std::byte> bytes = read_note(resource.index);
+        if (bytes.size() != sizeof(T)) return std::nullopt;
+        std::array<std::byte, sizeof(T)> copy;
+        std::copy(bytes.begin(), bytes.end(), copy.begin());
+        return std::bit_cast<T>(copy);
+    }
     /// A buffer that outlives the frame, such as one the CPU reads afterwards. `initial`: how it was last used.
     [[nodiscard]] Buf import(std::string name, const gpu::Buffer& buffer, Access initial = Access::none);
     /// The same of an image. Its own usage must allow what passes do with it.
@@ -239,11 +315,22 @@ private:
         [[nodiscard]] bool is_imported() const { return imported || imported_image; }
         Access initial = Access::none;
         bool keep = false;
+        std::uint32_t persistent = no_resource; ///< index into persistents_, if it is one
+        bool is_history = false, holds = false;
+        [[nodiscard]] bool is_persistent() const { return persistent != no_resource; }
     };
     PassBuilder add(std::string name, PassKind kind);
     void keep(ResourceIndex resource, Access access);
     [[nodiscard]] TexDesc resolved(const std::string& name, TexDesc desc) const;
+    ResourceIndex add_persistent(PersistentUse use, std::string name);
+    ResourceIndex add_history(ResourceIndex now, bool& valid);
+    void write_note(ResourceIndex resource, std::span<const std::byte> bytes);
+    [[nodiscard]] std::span<const std::byte> read_note(ResourceIndex resource) const;
     FrameInfo frame_;
+    const Persistents* store_ = nullptr;
+    std::uint32_t view_ = 0;  ///< of the store
+    std::uint64_t epoch_ = 0; ///< of the store, at the first declaration
+    std::vector<PersistentUse> persistents_;
     std::vector<Resource> resources_;
     std::vector<Pass> passes_;
     std::vector<FinalUse> finals_;

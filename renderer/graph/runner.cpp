@@ -1,6 +1,7 @@
 #include "renderer/graph/runner.hpp"
 
 #include "renderer/gpu/result.hpp"
+#include "renderer/graph/persistents.hpp"
 #include "renderer/graph/transients.hpp"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ double ms_since(std::chrono::steady_clock::time_point start)
 
 Runner::Runner(const gpu::Device& device, gpu::Descriptors& descriptors, gpu::Pipelines& pipelines)
     : device_(device), descriptors_(descriptors), pipelines_(pipelines), timers_(device, max_passes),
-      transients_(std::make_unique<Transients>(device))
+      transients_(std::make_unique<Transients>(device)), persistents_(std::make_unique<Persistents>(device))
 {}
 
 Runner::~Runner() = default;
@@ -37,9 +38,10 @@ GraphDesc Runner::describe(const Graph& graph)
         desc.mips = r.desc.mips;
         desc.layers = r.desc.layers;
         desc.samples = r.desc.samples;
-        desc.transient = !r.is_imported();
+        desc.transient = !r.is_imported() && !r.is_persistent();
         desc.keep = r.keep;
         desc.initial = r.initial;
+        if (r.is_persistent()) desc.initial_parts = parts_before(graph, static_cast<ResourceIndex>(i));
         transients_->requirements(static_cast<ResourceIndex>(i), desc);
         out.resources.push_back(std::move(desc));
     }
@@ -80,13 +82,73 @@ void Runner::prepare_pipelines(Graph& graph)
     pipelines_.prepare(graphics, compute);
 }
 
+void Runner::forget()
+{
+    persistents_->forget();
+}
+
+std::vector<PartState> Runner::parts_before(const Graph& graph, ResourceIndex r) const
+{
+    const Graph::Resource& resource = graph.resources_[r];
+    const PersistentUse& use = graph.persistents_[resource.persistent];
+    const Persistents::Entry* entry = persistents_->find(use.hash, use.key);
+    const bool fresh = use.history && !resource.is_history;
+    std::vector<PartState> parts;
+    if (entry && entry->matches(use)) parts = entry->slots[fresh ? 1 - entry->current : entry->current].parts;
+    if (parts.empty()) parts.resize(resource.is_image ? std::size_t{resource.desc.mips} * resource.desc.layers : 1);
+    if (fresh) {
+        for (PartState& part : parts) part.defined = false;
+    }
+    return parts;
+}
+
+void Runner::create_persistents(const Graph& graph)
+{
+    persistents_->create(graph.persistents_);
+    slots_.assign(graph.resources_.size(), nullptr);
+    for (std::size_t r = 0; r < slots_.size(); ++r) {
+        const Graph::Resource& resource = graph.resources_[r];
+        if (!resource.is_persistent()) continue;
+        slots_[r] = &persistents_->slot(graph.persistents_[resource.persistent], resource.is_history);
+    }
+}
+
+/// What the frame does is certain now.
+void Runner::commit(const Graph& graph)
+{
+    if (!graph.store_) return;
+    std::vector<bool> written(graph.resources_.size(), false);
+    for (const PlannedPass& planned : plan_.passes) {
+        for (const Use& use : described_.passes[planned.pass].uses) {
+            if (gpu::is_write(use.access)) written[use.resource] = true;
+        }
+    }
+    persistents_->commit(graph.persistents_, graph.view_, plan_, written);
+}
+
+namespace {
+
+/// The graph that runs, until the end, however that comes.
+struct Running {
+    Running(const Graph*& now, const Graph& graph) : running(now) { running = &graph; }
+    ~Running() { running = nullptr; }
+    Running(const Running&) = delete;
+    Running& operator=(const Running&) = delete;
+    const Graph*& running;
+};
+
+} // namespace
+
 RunStats Runner::run(Graph& graph, gpu::TimerMode mode, const gpu::SubmitSync& sync)
 {
+    if (!graph.persistents_.empty() && graph.epoch_ != persistents_->epoch())
+        throw std::logic_error("a graph with persistent resources runs after others that ran since it was declared");
     RunStats stats;
     const auto start = std::chrono::steady_clock::now();
     transients_->create(graph.resources_.size(), [&](ResourceIndex i) {
         const Graph::Resource& r = graph.resources_[i];
-        return TransientDesc{r.name, r.is_image, r.is_imported(), r.desc, r.bytes, usage_of(i, graph.passes_)};
+        return TransientDesc{r.name, r.is_image, r.is_imported() || r.is_persistent(),
+                             r.desc, r.bytes,    usage_of(i, graph.passes_)};
     });
     described_ = describe(graph);
     plan_ = make_plan(described_, graph.finals_);
@@ -95,13 +157,15 @@ RunStats Runner::run(Graph& graph, gpu::TimerMode mode, const gpu::SubmitSync& s
     prepare_pipelines(graph);
     const double compile_ms = ms_since(planned);
 
-    graph_ = &graph;
+    const Running running{graph_, graph};
+    create_persistents(graph);
     timers_.reset();
     device_.submit([&](VkCommandBuffer cmd) { record(cmd, graph, mode, stats); }, sync);
+    commit(graph);
     stats.cpu_ms = ms_since(start) - compile_ms;
     device_.wait();
     stats.wall_ms = ms_since(start) - compile_ms;
-    graph_ = nullptr;
+    persistents_->release_unused();
 
     const std::vector<gpu::PassTime> times = timers_.read();
     for (std::size_t i = 0; i < times.size(); ++i) {
@@ -232,6 +296,7 @@ void set_viewport(VkCommandBuffer cmd, uvec2 origin, uvec2 size)
 
 const gpu::Image& Runner::image(ResourceIndex r) const
 {
+    if (slots_[r]) return slots_[r]->image;
     const gpu::Image* imported = graph_->resources_[r].imported_image;
     return imported ? *imported : transients_->image(r);
 }
@@ -245,6 +310,7 @@ VkBuffer Runner::buffer_of(ResourceIndex r) const
 {
     const Graph::Resource& resource = graph_->resources_[r];
     if (resource.is_image) return VK_NULL_HANDLE;
+    if (slots_[r]) return slots_[r]->buffer.handle();
     return resource.imported ? resource.imported->handle() : transients_->buffer(r).handle();
 }
 

@@ -21,12 +21,15 @@ struct RunStats {
     double wall_ms = 0; ///< from the start of recording until the device is done
 };
 
+struct PersistentSlot;
+
 class Runner {
 public:
     Runner(const gpu::Device& device, gpu::Descriptors& descriptors, gpu::Pipelines& pipelines);
     ~Runner();
 
-    /// Compiles what is missing, records, submits and waits.
+    /// Compiles what is missing, records, submits and waits. Whatever it throws before it submits, persistent resources
+    /// hold what they held before, save those that had to be made anew.
     RunStats run(Graph& graph, gpu::TimerMode mode = gpu::TimerMode::overlapped, const gpu::SubmitSync& sync = {});
 
     /// The plan of the last graph that ran, as text or Graphviz.
@@ -35,10 +38,17 @@ public:
     [[nodiscard]] const Plan& plan() const { return plan_; }
     [[nodiscard]] const GraphDesc& planned() const { return described_; } ///< what `plan()` is of
 
+    /// Releases what lives from frame to frame, save what Owner::program has: the scene is another one.
+    void forget();
+
 private:
     friend class Cmd;
+    friend class Graph;
     struct Transients;
     [[nodiscard]] GraphDesc describe(const Graph& graph);
+    [[nodiscard]] std::vector<PartState> parts_before(const Graph& graph, ResourceIndex r) const;
+    void create_persistents(const Graph& graph);
+    void commit(const Graph& graph);
     void prepare_pipelines(Graph& graph);
     void place(const Graph& graph);
     void record(VkCommandBuffer cmd, Graph& graph, gpu::TimerMode mode, RunStats& stats);
@@ -54,7 +64,9 @@ private:
     gpu::Pipelines& pipelines_;
     gpu::Timers timers_;
     std::unique_ptr<Transients> transients_;
-    const Graph* graph_ = nullptr; ///< while it runs
+    std::unique_ptr<Persistents> persistents_;
+    std::vector<const PersistentSlot*> slots_; ///< by resource of the graph that runs; null: not persistent
+    const Graph* graph_ = nullptr;             ///< while it runs
     GraphDesc described_;
     Plan plan_;
 };

@@ -62,10 +62,7 @@ void Runner::Transients::make(Entry& entry)
             {d.desc.format, d.desc.width, d.desc.height, d.desc.mips, d.desc.layers, d.usage, d.desc.samples});
         entry.requirements = entry.image.requirements();
     } else {
-        constexpr VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT |
-                                             VK_BUFFER_USAGE_INDEX_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
-                                             VK_BUFFER_USAGE_TRANSFER_DST_BIT;
-        entry.buffer = gpu::Buffer(device_, d.name, d.bytes, usage, gpu::MemoryUse::device);
+        entry.buffer = gpu::Buffer(device_, d.name, d.bytes, buffer_usage, gpu::MemoryUse::device);
     }
 }
 
@@ -77,11 +74,22 @@ void Runner::Transients::create(std::size_t count, const std::function<Transient
                    [](const TransientDesc& a, const Entry& b) { return a == b.desc; })) {
         return;
     }
+    make_all(std::move(wanted));
+}
+
+/// All or nothing: who fails half way has none the next time.
+void Runner::Transients::make_all(std::vector<TransientDesc> wanted)
+{
     release();
-    entries_.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        entries_[i].desc = std::move(wanted[i]);
-        make(entries_[i]);
+    try {
+        entries_.resize(wanted.size());
+        for (std::size_t i = 0; i < wanted.size(); ++i) {
+            entries_[i].desc = std::move(wanted[i]);
+            make(entries_[i]);
+        }
+    } catch (...) {
+        release();
+        throw;
     }
 }
 
@@ -101,13 +109,20 @@ void Runner::Transients::place(const Plan& plan)
     if (is_placed_) { // An image is bound once and for all: make them anew.
         std::vector<TransientDesc> again;
         for (Entry& entry : entries_) again.push_back(std::move(entry.desc));
-        release();
-        entries_.resize(again.size());
-        for (std::size_t i = 0; i < again.size(); ++i) {
-            entries_[i].desc = std::move(again[i]);
-            make(entries_[i]);
-        }
+        make_all(std::move(again));
     }
+    try {
+        bind(plan);
+    } catch (...) {
+        release();
+        throw;
+    }
+    placed_ = plan.placements;
+    is_placed_ = true;
+}
+
+void Runner::Transients::bind(const Plan& plan)
+{
     for (std::size_t b = 0; b < plan.block_sizes.size(); ++b) {
         blocks_.emplace_back(device_,
                              VkMemoryRequirements{plan.block_sizes[b], plan.block_alignment[b], plan.block_class[b]});
@@ -118,8 +133,6 @@ void Runner::Transients::place(const Plan& plan)
         if (!entry.desc.is_image || placement.block == ~0u) continue;
         entry.image.bind(blocks_[placement.block].handle(), placement.offset);
     }
-    placed_ = plan.placements;
-    is_placed_ = true;
 }
 
 } // namespace atrium::graph

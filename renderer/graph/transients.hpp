@@ -10,6 +10,11 @@
 
 namespace atrium::graph {
 
+/// Of every buffer that the graph makes.
+inline constexpr VkBufferUsageFlags buffer_usage =
+    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT | VK_BUFFER_USAGE_INDEX_BUFFER_BIT |
+    VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+
 struct TransientDesc {
     std::string name;
     bool is_image = true, imported = false;
@@ -43,6 +48,8 @@ private:
         VkMemoryRequirements requirements{};
     };
     void release();
+    void make_all(std::vector<TransientDesc> wanted);
+    void bind(const Plan& plan);
     void make(Entry& entry);
 
     const gpu::Device& device_;
