@@ -156,7 +156,6 @@ struct Engine::State {
     gpu::Buffer constants;
     gpu::Buffer ltc; ///< the table of area lights
     std::unique_ptr<GpuScene> scene;
-    std::optional<SeenTriangles> seen; ///< of the scene, once a frame was to be remembered
     std::unique_ptr<Renderer> renderer;
     RenderPath path = RenderPath::deferred;
 };
@@ -219,7 +218,7 @@ ShowResult Engine::show(const UiDraws& ui, float divider)
     State& s = *state_;
     const std::optional<gpu::Swapchain::Target> target = s.swapchain->acquire();
     if (target) {
-        graph::Graph g;
+        graph::Graph g(s.runner, {.view = "window"});
         const graph::Tex window = g.import("window", *target->image);
         s.ui.add_pictures(g, window, divider);
         s.ui.add(g, window, ui);
@@ -247,7 +246,7 @@ void Engine::replace_shader(const std::string& name, std::span<const std::uint32
 
 void Engine::forget_frames()
 {
-    state_->seen.reset();
+    state_->runner.forget();
     state_->shadow_maps.forget();
 }
 
@@ -330,16 +329,15 @@ FrameResult Engine::draw(const FrameRequest& request)
     if (s.scene->override_materials(request.materials)) forget_frames();
     set_frame_constants(request);
 
-    graph::Graph g;
-    const bool remember = request.remember && can_remember(s.scene->tasks(), request.settings.culling);
-    if (remember && !s.seen) s.seen.emplace(s.device, s.scene->tasks());
+    graph::Graph g(s.runner,
+                   {request.size, request.size, request.keep_picture == PictureSlot::other ? "other" : "main"});
     const FrameContext context{request.settings,
                                *s.scene,
                                request.size,
                                request.camera,
                                request.lights,
                                &s.shadow_maps,
-                               remember ? &*s.seen : nullptr,
+                               request.remember,
                                order_lights(request.lights),
                                s.device.report().optional.lines,
                                request.insets,

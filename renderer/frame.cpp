@@ -37,7 +37,7 @@ public:
     {
         const Settings& s = frame.settings;
         const auto [gbuffer, draws, occluders] =
-            add_culled_gbuffer(g, frame.scene.tasks(), frame.scene.geometry(), frame.size, s.culling, frame.seen);
+            add_culled_gbuffer(g, frame.scene.tasks(), frame.scene.geometry(), frame.size, s.culling, frame.remember);
         const AmbientOcclusion ao = add_ao(g, gbuffer, s.ao);
         const auto [shadows, visibility] = add_shadows(g, gbuffer, frame);
         LightingTerms all;

@@ -31,12 +31,12 @@ struct FrameContext {
     Camera camera;
     std::span<const Light> lights;
     ShadowMaps* shadow_maps = nullptr; ///< null: lights cast no shadows
-    SeenTriangles* seen = nullptr;     ///< of the frame before; null: frames know nothing of each other
+    bool remember = false;             ///< FrameRequest::remember
     LightOrder light_order;
     bool can_draw_lines = true; ///< gpu::OptionalFeatures::lines
     Insets insets;
     std::optional<std::uint32_t> outlined; ///< a material
-    bool absent_images = false; ///< AovInputs::absent_images
+    bool absent_images = false;            ///< AovInputs::absent_images
 };
 
 /// A scene turned into radiance, with the intermediate images that AOVs are made from.

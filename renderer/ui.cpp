@@ -24,6 +24,17 @@ void write(const gpu::Device& device, gpu::Buffer& buffer, const char* name, con
     buffer.flush();
 }
 
+constexpr const char *main_picture = "ui.picture", *other_picture = "ui.other_picture", *kept_insets = "ui.insets";
+
+void keep(graph::Graph& g, graph::Tex from, const std::string& name)
+{
+    const uvec2 size = g.size(from);
+    const graph::Tex kept =
+        g.persistent(name, {gpu::Format::rgba8_unorm, size.x, size.y}, {.owner = graph::Owner::program});
+    // Copied as they stand, colours stay encoded, as the interface over them is.
+    g.transfer(name + ".keep").reads(from).writes(kept).record([=](graph::Cmd& cmd) { cmd.copy(from, kept); });
+}
+
 } // namespace
 
 void Ui::set_font(uvec2 size, std::span<const std::byte> rgba)
@@ -35,47 +46,26 @@ void Ui::set_font(uvec2 size, std::span<const std::byte> rgba)
     upload(device_, {&job, 1}, UploadPath::staging);
 }
 
-void Ui::keep(graph::Graph& g, graph::Tex from, gpu::Image& image, const std::string& name) const
-{
-    const graph::TexDesc& desc = g.desc(from);
-    if (image.desc().width != desc.width || image.desc().height != desc.height) {
-        image = gpu::Image(device_, name,
-                           {gpu::Format::rgba8_unorm, desc.width, desc.height, 1, 1,
-                            VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
-    }
-    const graph::Tex kept = g.import(name, image);
-    // Copied as they stand, colours stay encoded, as the interface over them is.
-    g.transfer(name + ".keep").reads(from).writes(kept).record([=](graph::Cmd& cmd) { cmd.copy(from, kept); });
-    g.keep(kept, gpu::Access::sampled_fragment);
-}
-
 void Ui::keep_picture(graph::Graph& g, graph::Tex picture, PictureSlot slot)
 {
-    const bool main = slot == PictureSlot::main;
-    keep(g, picture, pictures_[main ? 0 : 1], main ? "ui.picture" : "ui.other_picture");
+    keep(g, picture, slot == PictureSlot::main ? main_picture : other_picture);
 }
 
 void Ui::keep_insets(graph::Graph& g, graph::Tex insets)
 {
-    keep(g, insets, insets_, "ui.insets");
+    keep(g, insets, kept_insets);
 }
 
 void Ui::add_pictures(graph::Graph& g, graph::Tex window, float divider)
 {
-    const gpu::Image& first = pictures_[0];
-    const gpu::Image& second = divider > 0 && pictures_[1].view() ? pictures_[1] : first;
-    if (!first.view()) throw std::logic_error("a window's contents before any picture");
-    const graph::TexDesc& size = g.desc(window);
-    const auto fits = [&](const gpu::Image& i) {
-        return i.desc().width == size.width && i.desc().height == size.height;
-    };
-    const bool texel_by_texel = fits(first) && fits(second);
-    const vec2 inv_size(1.0f / static_cast<float>(size.width), 1.0f / static_cast<float>(size.height));
-    const graph::Tex main = g.import("ui.picture", first, gpu::Access::sampled_fragment);
-    const graph::Tex other =
-        &second == &first ? main : g.import("ui.other_picture", second, gpu::Access::sampled_fragment);
+    const std::optional<graph::Tex> main = g.kept(main_picture);
+    if (!main) throw std::logic_error("a window's contents before any picture");
+    const graph::Tex other = divider > 0 ? g.kept(other_picture).value_or(*main) : *main;
+    const uvec2 size = g.size(window);
+    const bool texel_by_texel = g.size(*main) == size && g.size(other) == size;
+    const vec2 inv_size = 1.0f / vec2(size);
     g.raster("pictures")
-        .reads(main)
+        .reads(*main)
         .reads(other)
         .writes(window)
         .fullscreen("ui/pictures.frag", {texel_by_texel ? 1u : 0u}, shared::PicturesPush{inv_size, divider});
@@ -88,7 +78,7 @@ void Ui::add(graph::Graph& g, graph::Tex window, const UiDraws& draws)
     const graph::Buf vertices = g.import("ui.vertices", vertices_);
     const graph::Buf indices = g.import("ui.indices", indices_);
     const graph::Tex font = g.import("ui.font", font_, gpu::Access::sampled_fragment);
-    const graph::Tex insets = insets_.view() ? g.import("ui.insets", insets_, gpu::Access::sampled_fragment) : font;
+    const graph::Tex insets = g.kept(kept_insets).value_or(font);
     gpu::GraphicsPipelineDesc state;
     state.vertex = "ui/ui.vert";
     state.fragment = "ui/ui.frag";

@@ -5,7 +5,6 @@
 #include "renderer/graph/graph.hpp"
 #include "shaders/shared/ui.h"
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -30,7 +29,7 @@ struct UiDraws {
 /// A window shows one picture, or, left of a divider, another one beside it.
 enum class PictureSlot : std::uint8_t { main, other };
 
-/// What the device keeps of a window's contents: the font, the last pictures, and this frame's triangles.
+/// What is in a window. Its last pictures are the graph's, which keeps them as long as the program runs.
 class Ui {
 public:
     explicit Ui(const gpu::Device& device) : device_(device) {}
@@ -39,21 +38,19 @@ public:
     void set_font(uvec2 size, std::span<const std::byte> rgba);
 
     /// Reads  the frame's picture (RGBA8).  Keeps it.
-    void keep_picture(graph::Graph& g, graph::Tex picture, PictureSlot slot);
+    static void keep_picture(graph::Graph& g, graph::Tex picture, PictureSlot slot);
 
     /// The same of the buffers shown beside it, side by side in one image.
-    void keep_insets(graph::Graph& g, graph::Tex insets);
+    static void keep_insets(graph::Graph& g, graph::Tex insets);
 
     /// Reads  kept pictures.  Writes  the window's image, all of it. `divider`: its first column of the main picture.
-    void add_pictures(graph::Graph& g, graph::Tex window, float divider);
+    static void add_pictures(graph::Graph& g, graph::Tex window, float divider);
     /// Reads  font, kept insets.  Writes  over what the window's image shows.
     void add(graph::Graph& g, graph::Tex window, const UiDraws& draws);
 
 private:
-    void keep(graph::Graph& g, graph::Tex from, gpu::Image& image, const std::string& name) const;
     const gpu::Device& device_;
-    gpu::Image font_, insets_;
-    std::array<gpu::Image, 2> pictures_; ///< by PictureSlot
+    gpu::Image font_;
     gpu::Buffer vertices_, indices_;
 };
 

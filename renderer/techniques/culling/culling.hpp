@@ -52,7 +52,7 @@ struct DrawList {
     graph::Buf indices; ///< instead of the scene's own, where triangles were culled
 };
 
-/// SeenTriangles in the graph of one frame.
+/// The triangles that a frame sees, and those that the one before saw: declare_seen().
 struct SeenInFrame {
     DrawList before, occluders;                      ///< what the frame before saw, and what of it hides much
     graph::Buf commands, occluder_commands, indices; ///< of what this one sees, to be filled

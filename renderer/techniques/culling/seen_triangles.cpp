@@ -3,62 +3,49 @@
 #include "shaders/shared/culling.h"
 
 #include <algorithm>
+#include <string>
 
 namespace atrium {
 namespace {
 
-gpu::Buffer make_buffer(const gpu::Device& device, const char* name, std::uint64_t words, VkBufferUsageFlags usage)
+struct Pair {
+    graph::Buf before, now;
+};
+
+graph::Buf add_zeros(graph::Graph& g, const std::string& name, graph::Buf buffer)
 {
-    return {device, name, std::max(words, std::uint64_t{1}) * sizeof(std::uint32_t),
-            usage | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
-                VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
-            gpu::MemoryUse::device};
+    g.transfer(name + ".forget").writes(buffer).record([=](graph::Cmd& cmd) { cmd.fill(buffer, 0); });
+    return buffer;
+}
+
+/// What the last frame wrote, of whatever age; where there is none, zeros: nothing was seen.
+Pair declare_pair(graph::Graph& g, const std::string& name, std::uint64_t bytes)
+{
+    const graph::Buf now = g.persistent(name, bytes);
+    const graph::Buf before = g.history(now).before;
+    return {before ? before : add_zeros(g, name, g.buffer(name + ".before", bytes)), now};
 }
 
 } // namespace
 
-SeenTriangles::SeenTriangles(const gpu::Device& device, const DrawTasks& tasks)
-    : frames_(make_buffer(device, "seen.frames", tasks.index_count / 3, 0)), frame_(shared::first_remembered_frame)
+SeenInFrame declare_seen(graph::Graph& g, const DrawTasks& tasks)
 {
-    constexpr std::uint64_t command_words = sizeof(shared::DrawCommand) / sizeof(std::uint32_t);
-    for (List& list : lists_) {
-        list.commands =
-            make_buffer(device, "seen.commands", tasks.count * command_words, VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
-        list.occluder_commands = make_buffer(device, "seen.occluder_commands", tasks.count * command_words,
-                                             VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
-        list.indices = make_buffer(device, "seen.indices", tasks.index_count, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
-    }
-}
-
-SeenInFrame SeenTriangles::begin(graph::Graph& g, const DrawTasks& tasks)
-{
-    using gpu::Access;
-    const bool first = frame_ == shared::first_remembered_frame;
-    const auto import = [&](const char* name, const gpu::Buffer& buffer, Access used) {
-        return g.import(name, buffer, first ? Access::none : used);
-    };
-    const List& before = lists_[frame_ % 2];
-    const List& now = lists_[(frame_ + 1) % 2];
+    const std::uint64_t command_bytes = std::max(tasks.count, 1u) * sizeof(shared::DrawCommand);
+    const auto bytes_of = [](std::uint64_t words) { return std::max(words, std::uint64_t{1}) * sizeof(std::uint32_t); };
+    const Pair commands = declare_pair(g, "seen.commands", command_bytes);
+    const Pair occluders = declare_pair(g, "seen.occluder_commands", command_bytes);
+    const Pair indices = declare_pair(g, "seen.indices", bytes_of(tasks.index_count));
     SeenInFrame out;
-    out.frame = frame_++;
-    out.before.commands = import("seen.before.commands", before.commands, Access::indirect_read);
-    out.before.indices = import("seen.before.indices", before.indices, Access::index_read);
-    out.before.ranges = tasks.ranges;
-    out.before.count = tasks.count;
-    out.occluders = out.before;
-    out.occluders.commands = import("seen.before.occluder_commands", before.occluder_commands, Access::indirect_read);
-    out.commands = import("seen.commands", now.commands, Access::indirect_read);
-    out.occluder_commands = import("seen.occluder_commands", now.occluder_commands, Access::indirect_read);
-    out.indices = import("seen.indices", now.indices, Access::index_read);
-    out.frames = import("seen.frames", frames_, Access::storage_write);
-    g.keep(out.commands, Access::indirect_read);
-    g.keep(out.occluder_commands, Access::indirect_read);
-    g.keep(out.indices, Access::index_read);
-    g.keep(out.frames, Access::storage_write);
-    if (first) { // nothing was seen
-        for (const graph::Buf& buffer : {out.before.commands, out.occluders.commands, out.before.indices, out.frames})
-            g.transfer("seen.forget").writes(buffer).record([=](graph::Cmd& cmd) { cmd.fill(buffer, 0); });
-    }
+    out.before = {commands.before, tasks.ranges, tasks.count, indices.before};
+    out.occluders = {occluders.before, tasks.ranges, tasks.count, indices.before};
+    out.commands = commands.now;
+    out.occluder_commands = occluders.now;
+    out.indices = indices.now;
+    out.frames = g.persistent("seen.frames", bytes_of(tasks.index_count / 3));
+    const auto last = g.noted<std::uint32_t>(out.frames);
+    out.frame = last ? *last + 1 : shared::first_remembered_frame;
+    if (!last) add_zeros(g, "seen.frames", out.frames);
+    g.note(out.frames, out.frame);
     return out;
 }
 

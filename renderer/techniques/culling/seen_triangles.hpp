@@ -3,26 +3,11 @@
 
 #include "renderer/techniques/culling/culling.hpp"
 
-#include <array>
-
 namespace atrium {
 
-/// The triangles that a frame saw, kept on the device. Of one scene: a new one needs a new memory. Source: Haar &
-/// Aaltonen 2015, "GPU-Driven Rendering Pipelines", who remember clusters.
-class SeenTriangles {
-public:
-    SeenTriangles(const gpu::Device& device, const DrawTasks& tasks);
-
-    /// Brings the memory into a frame's graph, which must run before the next call.
-    [[nodiscard]] SeenInFrame begin(graph::Graph& g, const DrawTasks& tasks);
-
-private:
-    struct List {
-        gpu::Buffer commands, occluder_commands, indices;
-    };
-    std::array<List, 2> lists_; ///< of this frame and of the one before, in turn
-    gpu::Buffer frames_;        ///< of each triangle, the number of the frame that last saw it
-    std::uint32_t frame_;
-};
+/// Declares the triangles that this frame of the view sees, and brings what its last one saw. They belong to one scene:
+/// graph::Runner::forget() when it changes. Source: Haar & Aaltonen 2015, "GPU-Driven Rendering Pipelines", who
+/// remember clusters.
+[[nodiscard]] SeenInFrame declare_seen(graph::Graph& g, const DrawTasks& tasks);
 
 } // namespace atrium

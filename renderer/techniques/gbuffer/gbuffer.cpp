@@ -142,15 +142,15 @@ GBuffer add_gbuffer(graph::Graph& g, const DrawList& draws, const Geometry& geom
 }
 
 CulledGBuffer add_culled_gbuffer(graph::Graph& g, const DrawTasks& tasks, const Geometry& geometry, uvec2 size,
-                                 const CullingSettings& s, SeenTriangles* seen)
+                                 const CullingSettings& s, bool remember)
 {
     if (!s.occlusion) {
         const DrawList draws = add_culling(g, tasks, s);
         return {add_gbuffer(g, draws, geometry, size), {draws}, {}};
     }
     const GBuffer gb = create_targets(g, size);
-    if (seen && can_remember(tasks, s)) {
-        const SeenInFrame frame = seen->begin(g, tasks);
+    if (remember && can_remember(tasks, s)) {
+        const SeenInFrame frame = declare_seen(g, tasks);
         add_depth_prepass(g, frame.occluders, geometry, gb.depth);
         add_pass(g, frame.before, geometry, gb, {Load::discard, Load::keep}, "gbuffer");
         const DrawList late = add_culling(g, tasks, s, gb.depth, frame);

@@ -68,9 +68,10 @@ struct CulledGBuffer {
 };
 
 /// Culls and draws: passes `cull` and `gbuffer`; with occlusion culling before them `cull.occluders`, `depth_prepass`
-/// and `depth_pyramid.N`; with single triangles `cull.triangles`. With `seen`, where occlusion and single triangles are
-/// culled: `gbuffer` draws what the frame before saw, then it is culled as above, and `gbuffer.late` draws the rest.
+/// and `depth_pyramid.N`; with single triangles `cull.triangles`. With `remember`, where occlusion and single triangles
+/// are culled: `gbuffer` draws what the frame before saw, then it is culled as above, and `gbuffer.late` draws the
+/// rest.
 [[nodiscard]] CulledGBuffer add_culled_gbuffer(graph::Graph& g, const DrawTasks& tasks, const Geometry& geometry,
-                                               uvec2 size, const CullingSettings& s, SeenTriangles* seen = nullptr);
+                                               uvec2 size, const CullingSettings& s, bool remember = false);
 
 } // namespace atrium
