@@ -247,7 +247,6 @@ void Engine::replace_shader(const std::string& name, std::span<const std::uint32
 void Engine::forget_frames()
 {
     state_->runner.forget();
-    state_->shadow_maps.forget();
 }
 
 void Engine::set_frame_constants(const FrameRequest& request)
@@ -280,12 +279,7 @@ void count_draws(std::span<const std::byte> bytes, const GpuScene& scene, FrameR
 
 FrameResult Engine::render(const FrameRequest& request)
 {
-    try {
-        return draw(request);
-    } catch (...) {
-        forget_frames(); // one that was not drawn has filled no memory
-        throw;
-    }
+    return draw(request);
 }
 
 void Engine::keep_shown(graph::Graph& g, const Frame& frame, const FrameRequest& request)

@@ -365,6 +365,55 @@ TEST(shadow, maps_of_what_stays_are_kept_and_change_nothing)
     EXPECT_EQ(pictures[0], pictures[1]);
 }
 
+/// Four lights of all kinds, with maps that are small enough to be as large as asked for.
+void light_courtyard(rig::FrameRig& rig)
+{
+    rig.look({-8, 1.7f, 0.5f}, {8, 2.5f, 0});
+    rig.light("sun,intensity=3");
+    rig.light("spot,position=0:4:0,intensity=200,inner=20,outer=35");
+    rig.light("point,position=3:2:1,intensity=50,range=6");
+    rig.light("rect,position=0:5:0,width=2");
+    rig.set("shadow.resolution", "256");
+    rig.request.want_picture = true;
+}
+
+TEST(shadow, a_light_removed_from_the_middle_leaves_the_maps_of_the_others)
+{
+    FrameResult drawn;
+    {
+        rig::FrameRig rig(rig::courtyard_bake());
+        light_courtyard(rig);
+        EXPECT_EQ(map_passes(rig.render()).size(), 4u);
+        rig.request.lights.erase(rig.request.lights.begin() + 1);
+        drawn = rig.render();
+        EXPECT_EQ(map_passes(drawn), std::vector<std::string>{});
+    }
+    rig::FrameRig fresh(rig::courtyard_bake());
+    light_courtyard(fresh);
+    fresh.request.lights.erase(fresh.request.lights.begin() + 1);
+    const FrameResult again = fresh.render();
+    EXPECT_EQ(map_passes(again).size(), 3u);
+    EXPECT_EQ(drawn.picture.values, again.picture.values);
+}
+
+TEST(shadow, a_frame_that_fails_draws_no_map_and_forgets_none)
+{
+    rig::FrameRig rig(rig::courtyard_bake());
+    light_courtyard(rig);
+    const auto fail = [&] {
+        rig.set("debug.view", "no such image");
+        EXPECT_ANY_THROW(static_cast<void>(rig.render()));
+        rig.set("debug.view", "");
+    };
+    fail();
+    const FrameResult first = rig.render();
+    EXPECT_EQ(map_passes(first).size(), 4u) << "the frame that failed had drawn none";
+    fail();
+    const FrameResult second = rig.render();
+    EXPECT_EQ(map_passes(second), std::vector<std::string>{}) << "and later took none away";
+    EXPECT_EQ(first.picture.values, second.picture.values);
+}
+
 TEST(shadow, a_moving_light_changes_only_what_it_reaches_and_changes_that_smoothly)
 {
     rig::FrameRig rig(rig::courtyard_bake());

@@ -80,9 +80,47 @@ std::string smaller_or_fewer(std::span<const Light> lights, const ShadowSettings
     return text;
 }
 
+/// What a map is drawn from. Where it differs from what the map was drawn from last, it is drawn again.
+struct DrawnMap {
+    std::array<shared::ShadowFace, shared::shadow_max_faces> faces{};
+    std::uint32_t face_count = 0, perspective = 0;
+    float depth_scale = 0, range = 0;
+    vec2 texture_state{0};
+};
+
+DrawnMap drawn_from(const LightFaces& faces, const Light& light, const ShadowCasters& casters)
+{
+    DrawnMap out;
+    std::copy(faces.faces.begin(), faces.faces.end(), out.faces.begin());
+    out.face_count = static_cast<std::uint32_t>(faces.faces.size());
+    out.perspective = faces.perspective ? 1 : 0;
+    out.depth_scale = faces.depth_scale;
+    out.range = light.range;
+    out.texture_state = casters.texture_state;
+    return out;
+}
+
 bool same(const shared::ShadowFace& a, const shared::ShadowFace& b)
 {
     return a.x == b.x && a.y == b.y && a.z == b.z && a.scale == b.scale;
+}
+
+std::vector<std::uint32_t> stale_faces(const std::optional<DrawnMap>& drawn, const DrawnMap& wanted)
+{
+    const bool keeps = drawn && drawn->face_count == wanted.face_count && drawn->perspective == wanted.perspective &&
+                       drawn->depth_scale == wanted.depth_scale && drawn->range == wanted.range &&
+                       drawn->texture_state == wanted.texture_state;
+    std::vector<std::uint32_t> out;
+    for (std::uint32_t f = 0; f < wanted.face_count; ++f) {
+        if (!keeps || !same(drawn->faces[f], wanted.faces[f])) out.push_back(f);
+    }
+    return out;
+}
+
+std::uint64_t range_bytes(std::uint32_t side, std::uint32_t faces)
+{
+    const std::uint64_t cells = cells_along(side);
+    return faces * cells * cells * 4 / 3 * sizeof(vec2) + sizeof(vec2);
 }
 
 gpu::Buffer make_buffer(const gpu::Device& device, const char* name, std::uint64_t bytes)
@@ -111,19 +149,6 @@ gpu::GraphicsPipelineDesc caster_pipeline(const MaterialClassInfo& cls, const Ge
 }
 
 } // namespace
-
-void ShadowMaps::resize(Slot& slot, std::uint32_t side, std::uint32_t faces)
-{
-    if (slot.map.handle() && slot.map.desc().width == side * faces && slot.map.desc().height == side) return;
-    const std::uint64_t cells = cells_along(side);
-    slot = {};
-    slot.map = gpu::Image(device_, "shadow map",
-                          {gpu::Format::depth32, side * faces, side, 1, 1,
-                           VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT});
-    slot.ranges =
-        gpu::Buffer(device_, "shadow depth ranges", faces * cells * cells * 4 / 3 * sizeof(vec2) + sizeof(vec2),
-                    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::MemoryUse::device);
-}
 
 void ShadowMaps::tell(const std::string& text)
 {
@@ -284,7 +309,6 @@ ShadowMapSet ShadowMaps::add(graph::Graph& g, const ShadowCasters& casters, std:
                              const Camera& camera, float aspect, const ShadowSettings& s)
 {
     const std::vector<std::uint32_t> shadowed = shadowed_lights(lights, s);
-    slots_.resize(shadowed.size());
     ShadowMapSet out;
     if (shadowed.empty()) return out;
     const std::uint32_t side = affordable_side(lights, shadowed, s, device_.report().widest_image);
@@ -304,30 +328,20 @@ ShadowMapSet ShadowMaps::add(graph::Graph& g, const ShadowCasters& casters, std:
         const Light& light = lights[shadowed[k]];
         const LightFaces& faces = all[k];
         const auto count = static_cast<std::uint32_t>(faces.faces.size());
-        Slot& slot = slots_[k];
-        resize(slot, side, count);
-        const bool keeps = s.cache && slot.drawn.faces.size() == count && slot.drawn.perspective == faces.perspective &&
-                           slot.drawn.depth_scale == faces.depth_scale && slot.range == light.range &&
-                           slot.texture_state == casters.texture_state;
-        std::vector<std::uint32_t> stale;
-        for (std::uint32_t f = 0; f < count; ++f) {
-            if (!keeps || !same(slot.drawn.faces[f], faces.faces[f])) stale.push_back(f);
-        }
         const std::string name = fmt::format("shadow.{}", shadowed[k]);
+        const std::string key = fmt::format("shadow map {:x}", shadowed[k]); // of the light, whatever its index
         ShadowMap map = describe_map(shadowed[k], faces, side, first_face);
-        map.map = g.import(name, slot.map, slot.used ? Access::sampled_fragment : Access::none);
-        map.ranges = g.import(name + ".ranges", slot.ranges, slot.used ? Access::sampled_fragment : Access::none);
-        g.keep(map.map, Access::sampled_fragment);
-        g.keep(map.ranges, Access::sampled_fragment);
+        map.map = g.persistent(name, {gpu::Format::depth32, side * count, side}, {graph::Owner::scene, key});
+        map.ranges = g.persistent(name + ".ranges", range_bytes(side, count), {graph::Owner::scene, key + " ranges"});
+        const DrawnMap wanted = drawn_from(faces, light, casters);
+        const bool kept = s.cache && g.holds(map.ranges);
+        const std::vector<std::uint32_t> stale = stale_faces(kept ? g.noted<DrawnMap>(map.map) : std::nullopt, wanted);
+        g.note(map.map, wanted);
         if (!stale.empty()) {
             const std::vector<Tile> tiles = tiles_of(faces, stale, casters.tasks.count);
             add_tiles(g, name, casters, map, add_caster_culling(g, name, casters, map, tiles, light.range, 0), tiles);
             add_depth_ranges(g, name, map);
         }
-        slot.drawn = faces;
-        slot.range = light.range;
-        slot.texture_state = casters.texture_state;
-        slot.used = true;
         first_face += count;
         out.maps.push_back(map);
     }

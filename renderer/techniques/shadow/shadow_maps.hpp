@@ -14,7 +14,8 @@ struct ShadowCasters {
     vec2 texture_state{0}; ///< changes when textures are read differently, and so the holes of masks
 };
 
-/// The shadow maps of a scene's lights, on the device. Of one scene: forget() when it changes.
+/// The shadow maps of a scene's lights. The graph keeps them from frame to frame: graph::Runner::forget() when the
+/// scene changes.
 class ShadowMaps {
 public:
     explicit ShadowMaps(const gpu::Device& device) : device_(device) {}
@@ -28,25 +29,13 @@ public:
     [[nodiscard]] graph::Tex add_reference(graph::Graph& g, const GBuffer& gb, const ShadowCasters& casters,
                                            std::span<const Light> lights, const Camera& camera, float aspect,
                                            const ShadowMapSet& set, const ShadowSettings& s);
-    /// Nothing counts as drawn any more.
-    void forget() { slots_.clear(); }
 
 private:
-    struct Slot {
-        gpu::Image map;
-        gpu::Buffer ranges;
-        LightFaces drawn;
-        float range = 0;
-        vec2 texture_state{0};
-        bool used = false; ///< by a frame before
-    };
-    void resize(Slot& slot, std::uint32_t side, std::uint32_t faces);
     void tell(const std::string& text);
     void write_samples(const ShadowSettings& s);
     void write_faces(const std::vector<LightFaces>& all);
 
     const gpu::Device& device_;
-    std::vector<Slot> slots_;
     gpu::Buffer faces_, disc_samples_, square_samples_, reference_faces_;
     std::array<std::uint32_t, 2> sample_counts_{}; ///< as set, of those in the buffers
     std::string told_; ///< what was said last of maps that are smaller or fewer than asked for
