@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
+#include <utility>
 
 namespace atrium::gpu {
 namespace {
@@ -54,18 +56,20 @@ VkDescriptorSetLayout frame_layout(VkDevice device)
     return create_layout(device, bindings, partial);
 }
 
-VkDescriptorSetLayout pass_layout(VkDevice device)
+VkDescriptorSetLayout pass_set_layout(VkDevice device, std::span<const PassBinding> bindings)
 {
-    std::vector<VkDescriptorSetLayoutBinding> bindings;
-    const auto add = [&](std::uint32_t count, VkDescriptorType type) {
-        for (std::uint32_t i = 0; i < count; ++i)
-            bindings.push_back({static_cast<std::uint32_t>(bindings.size()), type, 1, VK_SHADER_STAGE_ALL, nullptr});
-    };
-    add(Descriptors::max_pass_images, VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE);
-    add(Descriptors::max_pass_buffers, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
-    add(Descriptors::max_pass_storage_images, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
-    return create_layout(device, bindings, partial);
+    std::vector<VkDescriptorSetLayoutBinding> all;
+    for (const PassBinding& b : bindings) all.push_back({b.binding, b.type, 1, VK_SHADER_STAGE_ALL, nullptr});
+    return create_layout(device, all, 0);
 }
+
+/// For the sets of some hundred passes; there are as many pools as a frame needs.
+constexpr std::uint32_t sets_per_pool = 256;
+constexpr std::array<VkDescriptorPoolSize, 3> pass_pool_sizes{{
+    {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, sets_per_pool * 8},
+    {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, sets_per_pool * 8},
+    {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, sets_per_pool * 2},
+}};
 
 VkDescriptorPool create_pool(VkDevice device, std::uint32_t sets, std::span<const VkDescriptorPoolSize> sizes,
                              VkDescriptorPoolCreateFlags flags)
@@ -80,14 +84,17 @@ VkDescriptorPool create_pool(VkDevice device, std::uint32_t sets, std::span<cons
     return pool;
 }
 
-VkDescriptorSet allocate_set(VkDevice device, VkDescriptorPool pool, const VkDescriptorSetLayout& layout)
+/// Null where the pool is exhausted.
+VkDescriptorSet try_allocate_set(VkDevice device, VkDescriptorPool pool, const VkDescriptorSetLayout& layout)
 {
     VkDescriptorSetAllocateInfo allocate{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
     allocate.descriptorPool = pool;
     allocate.descriptorSetCount = 1;
     allocate.pSetLayouts = &layout;
     VkDescriptorSet set = VK_NULL_HANDLE;
-    check(vkAllocateDescriptorSets(device, &allocate, &set), "allocate a descriptor set");
+    const VkResult result = vkAllocateDescriptorSets(device, &allocate, &set);
+    if (result == VK_ERROR_OUT_OF_POOL_MEMORY || result == VK_ERROR_FRAGMENTED_POOL) return VK_NULL_HANDLE;
+    check(result, "allocate a descriptor set");
     return set;
 }
 
@@ -138,8 +145,7 @@ VkWriteDescriptorSet write_of(VkDescriptorSet set, std::uint32_t binding, std::u
 } // namespace
 
 Descriptors::Descriptors(const Device& device)
-    : device_(device), layouts_{texture_layout(device.handle()), frame_layout(device.handle()),
-                                pass_layout(device.handle())}
+    : device_(device), layouts_{texture_layout(device.handle()), frame_layout(device.handle())}
 {
     const std::array<VkDescriptorPoolSize, 4> table_sizes{{
         {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, texture_capacity},
@@ -148,22 +154,9 @@ Descriptors::Descriptors(const Device& device)
         {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, frame_bindings - 1},
     }};
     table_pool_ = create_pool(device.handle(), 2, table_sizes, VK_DESCRIPTOR_POOL_CREATE_UPDATE_AFTER_BIND_BIT);
-    textures_ = allocate_set(device.handle(), table_pool_, layouts_[0]);
-    frame_ = allocate_set(device.handle(), table_pool_, layouts_[1]);
-    const std::array<VkDescriptorPoolSize, 3> pass_sizes{{
-        {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, max_pass_images * max_passes},
-        {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, max_pass_buffers * max_passes},
-        {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, max_pass_storage_images * max_passes},
-    }};
-    pass_pool_ = create_pool(device.handle(), max_passes, pass_sizes, 0);
-
-    const VkPushConstantRange push{VK_SHADER_STAGE_ALL, 0, push_bytes};
-    VkPipelineLayoutCreateInfo create{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
-    create.setLayoutCount = static_cast<std::uint32_t>(layouts_.size());
-    create.pSetLayouts = layouts_.data();
-    create.pushConstantRangeCount = 1;
-    create.pPushConstantRanges = &push;
-    check(vkCreatePipelineLayout(device.handle(), &create, nullptr, &pipeline_layout_), "create the pipeline layout");
+    textures_ = try_allocate_set(device.handle(), table_pool_, layouts_[0]);
+    frame_ = try_allocate_set(device.handle(), table_pool_, layouts_[1]);
+    static_cast<void>(pass_layout({}));
 
     constexpr auto clamp = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
     write_sampler(SamplerSlot::linear_clamp, create_sampler(device.handle(), VK_FILTER_LINEAR, clamp, 1, 0));
@@ -175,8 +168,11 @@ Descriptors::Descriptors(const Device& device)
 Descriptors::~Descriptors()
 {
     for (VkSampler sampler : samplers_) vkDestroySampler(device_.handle(), sampler, nullptr);
-    vkDestroyPipelineLayout(device_.handle(), pipeline_layout_, nullptr);
-    vkDestroyDescriptorPool(device_.handle(), pass_pool_, nullptr);
+    for (const Set2& layout : pass_layouts_) {
+        vkDestroyPipelineLayout(device_.handle(), layout.pipeline, nullptr);
+        vkDestroyDescriptorSetLayout(device_.handle(), layout.set, nullptr);
+    }
+    for (VkDescriptorPool pool : pass_pools_) vkDestroyDescriptorPool(device_.handle(), pool, nullptr);
     vkDestroyDescriptorPool(device_.handle(), table_pool_, nullptr);
     for (VkDescriptorSetLayout layout : layouts_) vkDestroyDescriptorSetLayout(device_.handle(), layout, nullptr);
 }
@@ -234,44 +230,70 @@ void Descriptors::set_frame_buffer(FrameBinding binding, const Buffer& buffer)
 
 void Descriptors::begin_frame()
 {
-    vkResetDescriptorPool(device_.handle(), pass_pool_, 0);
+    for (VkDescriptorPool pool : pass_pools_) vkResetDescriptorPool(device_.handle(), pool, 0);
+    pass_pool_ = 0;
+}
+
+PassLayout Descriptors::pass_layout(std::span<const PassBinding> bindings)
+{
+    std::vector<PassBinding> key(bindings.begin(), bindings.end());
+    if (const auto known = pass_layout_numbers_.find(key); known != pass_layout_numbers_.end()) return known->second;
+    Set2& made = pass_layouts_.emplace_back();
+    made.set = pass_set_layout(device_.handle(), bindings);
+
+    const std::array sets{layouts_[0], layouts_[1], made.set};
+    const VkPushConstantRange push{VK_SHADER_STAGE_ALL, 0, push_bytes};
+    VkPipelineLayoutCreateInfo create{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
+    create.setLayoutCount = static_cast<std::uint32_t>(sets.size());
+    create.pSetLayouts = sets.data();
+    create.pushConstantRangeCount = 1;
+    create.pPushConstantRanges = &push;
+    check(vkCreatePipelineLayout(device_.handle(), &create, nullptr, &made.pipeline), "create a pipeline layout");
+    const auto number = static_cast<PassLayout>(pass_layouts_.size() - 1);
+    pass_layout_numbers_.emplace(std::move(key), number);
+    return number;
 }
 
 void Descriptors::bind_frame(VkCommandBuffer cmd) const
 {
     const std::array sets{textures_, frame_};
     for (const auto point : {VK_PIPELINE_BIND_POINT_GRAPHICS, VK_PIPELINE_BIND_POINT_COMPUTE}) {
-        vkCmdBindDescriptorSets(cmd, point, pipeline_layout_, 0, static_cast<std::uint32_t>(sets.size()), sets.data(),
+        vkCmdBindDescriptorSets(cmd, point, pipeline_layout(), 0, static_cast<std::uint32_t>(sets.size()), sets.data(),
                                 0, nullptr);
     }
 }
 
-void Descriptors::bind_pass(VkCommandBuffer cmd, VkPipelineBindPoint point, std::span<const PassImage> images,
-                            std::span<const VkBuffer> buffers, std::span<const PassImage> storage_images)
+VkDescriptorSet Descriptors::allocate_pass_set(VkDescriptorSetLayout layout)
 {
-    if (images.empty() && buffers.empty() && storage_images.empty()) return;
-    const VkDescriptorSet set = allocate_set(device_.handle(), pass_pool_, layouts_[2]);
-    std::array<VkDescriptorImageInfo, max_pass_images> image_infos{};
-    std::array<VkDescriptorImageInfo, max_pass_storage_images> storage_infos{};
-    std::array<VkDescriptorBufferInfo, max_pass_buffers> buffer_infos{};
+    for (; pass_pool_ < pass_pools_.size(); ++pass_pool_) {
+        if (const VkDescriptorSet set = try_allocate_set(device_.handle(), pass_pools_[pass_pool_], layout)) return set;
+    }
+    pass_pools_.push_back(create_pool(device_.handle(), sets_per_pool, pass_pool_sizes, 0));
+    const VkDescriptorSet set = try_allocate_set(device_.handle(), pass_pools_.back(), layout);
+    if (!set) throw std::logic_error("a pass binds more than a pool of descriptors holds");
+    return set;
+}
+
+void Descriptors::bind_pass(VkCommandBuffer cmd, VkPipelineBindPoint point, PassLayout layout,
+                            std::span<const PassDescriptor> descriptors)
+{
+    if (descriptors.empty()) return;
+    const VkDescriptorSet set = allocate_pass_set(pass_layouts_[layout].set);
+    std::vector<VkDescriptorImageInfo> images(descriptors.size());
+    std::vector<VkDescriptorBufferInfo> buffers(descriptors.size());
     std::vector<VkWriteDescriptorSet> writes;
-    for (std::uint32_t i = 0; i < images.size(); ++i) {
-        image_infos.at(i) = {VK_NULL_HANDLE, images[i].view, images[i].layout};
-        writes.push_back(write_of(set, i, 0, VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE));
-        writes.back().pImageInfo = &image_infos[i];
-    }
-    for (std::uint32_t i = 0; i < buffers.size(); ++i) {
-        buffer_infos.at(i) = {buffers[i], 0, VK_WHOLE_SIZE};
-        writes.push_back(write_of(set, max_pass_images + i, 0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER));
-        writes.back().pBufferInfo = &buffer_infos[i];
-    }
-    for (std::uint32_t i = 0; i < storage_images.size(); ++i) {
-        storage_infos.at(i) = {VK_NULL_HANDLE, storage_images[i].view, storage_images[i].layout};
-        writes.push_back(write_of(set, max_pass_images + max_pass_buffers + i, 0, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE));
-        writes.back().pImageInfo = &storage_infos[i];
+    for (std::size_t i = 0; i < descriptors.size(); ++i) {
+        const PassDescriptor& d = descriptors[i];
+        writes.push_back(write_of(set, d.at.binding, 0, d.at.type));
+        images[i] = {VK_NULL_HANDLE, d.view, d.layout};
+        buffers[i] = {d.buffer, 0, VK_WHOLE_SIZE};
+        if (d.buffer)
+            writes.back().pBufferInfo = &buffers[i];
+        else
+            writes.back().pImageInfo = &images[i];
     }
     vkUpdateDescriptorSets(device_.handle(), static_cast<std::uint32_t>(writes.size()), writes.data(), 0, nullptr);
-    vkCmdBindDescriptorSets(cmd, point, pipeline_layout_, 2, 1, &set, 0, nullptr);
+    vkCmdBindDescriptorSets(cmd, point, pipeline_layout(layout), 2, 1, &set, 0, nullptr);
 }
 
 } // namespace atrium::gpu

@@ -117,7 +117,7 @@ VkPipeline Pipelines::create(const GraphicsPipelineDesc& desc)
     create.pDepthStencilState = &depth;
     create.pColorBlendState = &blend;
     create.pDynamicState = &dynamics;
-    create.layout = descriptors_.pipeline_layout();
+    create.layout = descriptors_.pipeline_layout(desc.pass_layout);
     VkPipeline pipeline = VK_NULL_HANDLE;
     check(vkCreateGraphicsPipelines(device_.handle(), cache_, 1, &create, nullptr, &pipeline),
           fmt::format("compile the pipeline of {}", name));
@@ -130,7 +130,7 @@ VkPipeline Pipelines::create(const ComputePipelineDesc& desc)
     const Specialization constants(desc.constants);
     VkComputePipelineCreateInfo create{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
     create.stage = stage_info(VK_SHADER_STAGE_COMPUTE_BIT, module(desc.shader), constants);
-    create.layout = descriptors_.pipeline_layout();
+    create.layout = descriptors_.pipeline_layout(desc.pass_layout);
     VkPipeline pipeline = VK_NULL_HANDLE;
     check(vkCreateComputePipelines(device_.handle(), cache_, 1, &create, nullptr, &pipeline),
           fmt::format("compile the pipeline of {}", desc.shader));

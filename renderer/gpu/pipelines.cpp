@@ -90,16 +90,28 @@ VkShaderModule Pipelines::create_module(const std::string& name, std::span<const
     return shader;
 }
 
-VkShaderModule Pipelines::module(const std::string& name)
+std::span<const std::uint32_t> Pipelines::code_of(const std::string& name) const
 {
-    const std::lock_guard lock(mutex_);
-    if (const auto found = modules_.find(name); found != modules_.end()) return found->second;
     const std::span<const std::uint32_t> code = shaders_(name);
     if (code.empty()) {
         throw Error(ExitCode::internal, fmt::format("no shader is called {}", name), "",
                     "it is not in shaders/CMakeLists.txt", "add it to the list there");
     }
-    return modules_.emplace(name, create_module(name, code)).first->second;
+    return code;
+}
+
+VkShaderModule Pipelines::module(const std::string& name)
+{
+    const std::lock_guard lock(mutex_);
+    if (const auto found = modules_.find(name); found != modules_.end()) return found->second;
+    return modules_.emplace(name, create_module(name, code_of(name))).first->second;
+}
+
+const std::vector<PassBinding>& Pipelines::pass_bindings(const std::string& shader)
+{
+    const auto [known, fresh] = pass_bindings_.try_emplace(shader);
+    if (fresh) known->second = find_pass_bindings(code_of(shader));
+    return known->second;
 }
 
 void Pipelines::replace(const std::string& shader, std::span<const std::uint32_t> code)

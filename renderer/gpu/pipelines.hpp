@@ -38,12 +38,14 @@ struct GraphicsPipelineDesc {
     std::vector<Format> colors;           ///< filled in by the graph
     Format depth = Format::none;          ///< filled in by the graph
     std::uint32_t samples = 1;            ///< filled in by the graph
+    PassLayout pass_layout = 0;           ///< of set 2, filled in by the graph
     auto operator<=>(const GraphicsPipelineDesc&) const = default;
 };
 
 struct ComputePipelineDesc {
     std::string shader;
     std::vector<std::uint32_t> constants;
+    PassLayout pass_layout = 0; ///< of set 2, filled in by the graph
     auto operator<=>(const ComputePipelineDesc&) const = default;
 };
 
@@ -63,6 +65,10 @@ public:
     void prepare(std::span<const GraphicsPipelineDesc> graphics, std::span<const ComputePipelineDesc> compute);
     [[nodiscard]] VkPipeline get(const GraphicsPipelineDesc& desc);
     [[nodiscard]] VkPipeline get(const ComputePipelineDesc& desc);
+    [[nodiscard]] bool exists(const GraphicsPipelineDesc& desc) const { return graphics_.contains(desc); }
+    [[nodiscard]] bool exists(const ComputePipelineDesc& desc) const { return compute_.contains(desc); }
+    /// What a shader that the program was built with binds in set 2, in ascending order.
+    [[nodiscard]] const std::vector<PassBinding>& pass_bindings(const std::string& shader);
     /// Puts other code in the place of a shader's, also in the pipelines that exist. No frame is in flight. Throws
     /// Error, and changes nothing, where the code wants other inputs than what is embedded, or the driver refuses it.
     void replace(const std::string& shader, std::span<const std::uint32_t> code);
@@ -72,6 +78,7 @@ private:
     template <class Desc>
     using Made = std::map<Desc, VkPipeline>;
     [[nodiscard]] VkShaderModule create_module(const std::string& name, std::span<const std::uint32_t> code) const;
+    [[nodiscard]] std::span<const std::uint32_t> code_of(const std::string& name) const;
     [[nodiscard]] VkShaderModule module(const std::string& name);
     [[nodiscard]] VkPipeline create(const GraphicsPipelineDesc& desc);
     [[nodiscard]] VkPipeline create(const ComputePipelineDesc& desc);
@@ -85,6 +92,7 @@ private:
     std::size_t cache_size_at_start_ = 0;
     std::mutex mutex_;
     std::map<std::string, VkShaderModule> modules_;
+    std::map<std::string, std::vector<PassBinding>> pass_bindings_; ///< by shader
     Made<GraphicsPipelineDesc> graphics_;
     Made<ComputePipelineDesc> compute_;
 };

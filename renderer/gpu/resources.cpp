@@ -149,7 +149,7 @@ VkImageView Image::create_view(const ImagePart& part) const
 {
     VkImageViewCreateInfo create{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
     create.image = image_;
-    create.viewType = part.layers > 1 ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D;
+    create.viewType = part.layers > 1 || part.array ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D;
     create.format = vk(desc_.format);
     create.subresourceRange.aspectMask = is_depth(desc_.format) ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
     create.subresourceRange.baseMipLevel = part.first_mip;

@@ -59,6 +59,7 @@ struct ImageDesc {
 /// Mip levels and array layers of an image.
 struct ImagePart {
     std::uint32_t first_mip = 0, mips = 1, first_layer = 0, layers = 1;
+    bool array = false; ///< a view of an array even where it has one layer
     bool operator==(const ImagePart&) const = default;
 };
 

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <spirv_cross_c.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <utility>
 
@@ -130,6 +132,29 @@ ShaderInterface find_interface(std::span<const std::uint32_t> code)
         }
     }
     out["work group"] = shader.work_group();
+    return out;
+}
+
+std::vector<PassBinding> find_pass_bindings(std::span<const std::uint32_t> code)
+{
+    constexpr std::array kinds{
+        std::pair{SPVC_RESOURCE_TYPE_UNIFORM_BUFFER, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER},
+        std::pair{SPVC_RESOURCE_TYPE_STORAGE_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
+        std::pair{SPVC_RESOURCE_TYPE_SEPARATE_IMAGE, VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE},
+        std::pair{SPVC_RESOURCE_TYPE_SEPARATE_SAMPLERS, VK_DESCRIPTOR_TYPE_SAMPLER},
+        std::pair{SPVC_RESOURCE_TYPE_SAMPLED_IMAGE, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
+        std::pair{SPVC_RESOURCE_TYPE_STORAGE_IMAGE, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE},
+        std::pair{SPVC_RESOURCE_TYPE_ACCELERATION_STRUCTURE, VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR},
+    };
+    const Reflection shader(code);
+    std::vector<PassBinding> out;
+    for (const auto& [kind, type] : kinds) {
+        for (const auto& r : shader.list(kind)) {
+            if (shader.decoration(r, SpvDecorationDescriptorSet) == 2)
+                out.push_back({shader.decoration(r, SpvDecorationBinding), type});
+        }
+    }
+    std::sort(out.begin(), out.end());
     return out;
 }
 

@@ -1,11 +1,14 @@
 #pragma once
 // What a shader shares with the world outside it, and on which C++ relies: found in its SPIR-V.
 
+#include "renderer/gpu/descriptors.hpp"
+
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace atrium::gpu {
 
@@ -15,6 +18,9 @@ using ShaderInterface = std::map<std::string, std::string>;
 
 /// Of SPIR-V with one entry point, called main. Throws Error(input) for what is no SPIR-V.
 [[nodiscard]] ShaderInterface find_interface(std::span<const std::uint32_t> code);
+
+/// What a shader binds in set 2, in ascending order. Throws Error(input) for what is no SPIR-V.
+[[nodiscard]] std::vector<PassBinding> find_pass_bindings(std::span<const std::uint32_t> code);
 
 /// What keeps a shader from standing in the place of another: something that it wants beyond the other or in another
 /// layout, or an output that it lacks. None where it can. It may want less.

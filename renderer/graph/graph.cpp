@@ -139,7 +139,9 @@ PassBuilder& PassBuilder::use(Tex texture, Access access, SubresourceRange range
 PassBuilder& PassBuilder::reads(Tex texture)
 {
     reads_layer(texture, 0);
-    pass().uses.back().range.layers = graph_.desc(texture).layers;
+    const TexDesc& desc = graph_.desc(texture);
+    pass().uses.back().range.layers = desc.layers;
+    pass().uses.back().as_array = desc.array && desc.layers == 1; // several layers are an array in any case
     return *this;
 }
 

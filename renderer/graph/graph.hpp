@@ -47,6 +47,7 @@ struct TexDesc {
     std::uint32_t mips = 1, samples = 1;
     SizeOf size_of = SizeOf::absolute;
     std::uint32_t divisor = 1; ///< of a relative size, which is rounded up
+    bool array = false;        ///< shaders read it as an array even where it has one layer
     bool operator==(const TexDesc&) const = default;
 };
 
@@ -175,6 +176,7 @@ struct Pass {
     bool depth_writes = false, side_effect = false;
     std::vector<gpu::GraphicsPipelineDesc> graphics;
     std::vector<gpu::ComputePipelineDesc> compute;
+    gpu::PassLayout layout = 0; ///< of set 2, found by the runner
     std::function<void(Cmd&)> record;
 };
 

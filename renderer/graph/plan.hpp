@@ -58,6 +58,7 @@ struct Use {
     Access access = Access::none;
     SubresourceRange range{}; ///< ignored for buffers
     bool discard = false;     ///< the pass overwrites the range: earlier contents do not matter
+    bool as_array = false;    ///< sampled as an array, be it of one layer; nothing to the plan
 };
 
 struct PassDesc {

@@ -1,6 +1,7 @@
 #include "renderer/graph/runner.hpp"
 
 #include "renderer/gpu/result.hpp"
+#include "renderer/graph/bindings.hpp"
 #include "renderer/graph/persistents.hpp"
 #include "renderer/graph/transients.hpp"
 
@@ -62,7 +63,48 @@ std::uint32_t samples_of(const Graph& graph, const Pass& pass)
     return pass.kind == PassKind::raster ? graph.desc(any_target(pass)).samples : 1;
 }
 
+std::vector<std::string> shaders_of(const gpu::GraphicsPipelineDesc& desc)
+{
+    if (desc.fragment.empty()) return {desc.vertex};
+    return {desc.vertex, desc.fragment};
+}
+
+std::vector<std::string> shaders_of(const gpu::ComputePipelineDesc& desc)
+{
+    return {desc.shader};
+}
+
 } // namespace
+
+void Runner::lay_out_bindings(const Graph& graph, Pass& pass)
+{
+    const auto is_image = [&](ResourceIndex r) { return graph.resources_[r].is_image; };
+    const std::vector<BoundUse> bound = bind_uses(pass, is_image);
+    std::vector<gpu::PassBinding> bindings;
+    for (const BoundUse& b : bound) bindings.push_back(b.at);
+    pass.layout = descriptors_.pass_layout(bindings);
+
+    bool known = true; // a pipeline with this layout was checked when it was made
+    std::vector<ShaderBindings> shaders;
+    const auto look_at = [&](auto& descs) {
+        for (auto& desc : descs) {
+            desc.pass_layout = pass.layout;
+            known = known && pipelines_.exists(desc);
+        }
+    };
+    look_at(pass.graphics);
+    look_at(pass.compute);
+    if (known) return;
+    const auto list = [&](const auto& descs) {
+        for (const auto& desc : descs) {
+            for (const std::string& shader : shaders_of(desc))
+                shaders.push_back({shader, pipelines_.pass_bindings(shader)});
+        }
+    };
+    list(pass.graphics);
+    list(pass.compute);
+    check_bindings(pass, bound, shaders, [&](ResourceIndex r) { return graph.resources_[r].name; });
+}
 
 void Runner::prepare_pipelines(Graph& graph)
 {
@@ -75,8 +117,9 @@ void Runner::prepare_pipelines(Graph& graph)
             for (const Attachment& color : pass.colors) desc.colors.push_back(graph.desc(color.texture).format);
             desc.samples = samples_of(graph, pass);
             desc.depth = pass.depth ? graph.desc(pass.depth->texture).format : gpu::Format::none;
-            graphics.push_back(desc);
         }
+        lay_out_bindings(graph, pass);
+        graphics.insert(graphics.end(), pass.graphics.begin(), pass.graphics.end());
         compute.insert(compute.end(), pass.compute.begin(), pass.compute.end());
     }
     pipelines_.prepare(graphics, compute);
@@ -199,25 +242,22 @@ void Runner::record(VkCommandBuffer commands, Graph& graph, gpu::TimerMode mode,
 
 void Runner::bind_resources(VkCommandBuffer commands, const Pass& pass)
 {
-    std::vector<gpu::PassImage> images, storage_images;
-    std::vector<VkBuffer> buffers;
-    for (const Use& use : pass.uses) {
-        const bool sampled = use.access == Access::sampled_fragment || use.access == Access::sampled_compute;
-        const bool storage = use.access == Access::storage_write || use.access == Access::storage_read ||
-                             use.access == Access::storage_fragment;
-        if (described_.resources[use.resource].is_image) {
-            if (!sampled && !storage) continue;
-            const SubresourceRange& r = use.range;
-            (sampled ? images : storage_images)
-                .push_back({image(use.resource).view({r.first_mip, r.mips, r.first_layer, r.layers}),
-                            gpu::info(use.access).layout});
-        } else if (sampled || storage) {
-            buffers.push_back(buffer_of(use.resource));
+    std::vector<gpu::PassDescriptor> descriptors;
+    for (const BoundUse& bound : bind_uses(pass, [&](ResourceIndex r) { return described_.resources[r].is_image; })) {
+        const Use& use = pass.uses[bound.use];
+        gpu::PassDescriptor& d = descriptors.emplace_back();
+        d.at = bound.at;
+        if (!described_.resources[use.resource].is_image) {
+            d.buffer = buffer_of(use.resource);
+            continue;
         }
+        const SubresourceRange& r = use.range;
+        d.view = image(use.resource).view({r.first_mip, r.mips, r.first_layer, r.layers, use.as_array});
+        d.layout = gpu::info(use.access).layout;
     }
     const auto point =
         pass.kind == PassKind::compute ? VK_PIPELINE_BIND_POINT_COMPUTE : VK_PIPELINE_BIND_POINT_GRAPHICS;
-    descriptors_.bind_pass(commands, point, images, buffers, storage_images);
+    descriptors_.bind_pass(commands, point, pass.layout, descriptors);
 }
 
 namespace {

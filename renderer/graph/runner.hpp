@@ -50,6 +50,7 @@ private:
     void create_persistents(const Graph& graph);
     void commit(const Graph& graph);
     void prepare_pipelines(Graph& graph);
+    void lay_out_bindings(const Graph& graph, Pass& pass);
     void place(const Graph& graph);
     void record(VkCommandBuffer cmd, Graph& graph, gpu::TimerMode mode, RunStats& stats);
     void bind_resources(VkCommandBuffer cmd, const Pass& pass);

@@ -35,7 +35,8 @@ TEST(shader_interface, is_found_in_the_code)
 TEST(pipelines, replace_takes_what_fits_and_keeps_the_rest)
 {
     Pipelines& pipelines = rig::device().pipelines;
-    const ComputePipelineDesc desc{"techniques/culling/cull_visible.comp", {}};
+    ComputePipelineDesc desc{"techniques/culling/cull_visible.comp", {}};
+    desc.pass_layout = rig::device().descriptors.pass_layout(pipelines.pass_bindings(desc.shader));
     const VkPipeline before = pipelines.get(desc);
     EXPECT_THROW(pipelines.replace(desc.shader, rig::find_shader("techniques/sky/sky.frag")), Error);
     EXPECT_EQ(pipelines.get(desc), before);

@@ -119,6 +119,7 @@ graph::Tex create_visibility(graph::Graph& g, const GBuffer& gb, std::size_t lig
     graph::TexDesc desc = g.desc(gb.depth);
     desc.format = Format::r32_float;
     desc.layers = static_cast<std::uint32_t>(lights);
+    desc.array = true;
     return g.texture("visibility", desc);
 }
 
@@ -129,6 +130,7 @@ graph::Tex add_all_visibility(graph::Graph& g, const GBuffer& gb, const ShadowMa
     const graph::Tex visibility = create_visibility(g, gb, set.maps.size());
     graph::TexDesc one_layer = g.desc(visibility);
     one_layer.layers = 1;
+    one_layer.array = false;
     const bool blurred = s.filter == ShadowFilter::pcss && s.blur;
     for (std::uint32_t i = 0; i < set.maps.size(); ++i) {
         const ShadowMap& map = set.maps[i];
@@ -157,6 +159,7 @@ graph::Tex add_visibility_layer(graph::Graph& g, graph::Tex visibility, std::uin
 {
     graph::TexDesc desc = g.desc(visibility);
     desc.layers = 1;
+    desc.array = false;
     const graph::Tex target = g.texture(pass, desc);
     g.raster(pass).reads(visibility).writes(target).fullscreen("techniques/shadow/visibility_layer.frag", {}, layer);
     return target;
