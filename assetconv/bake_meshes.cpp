@@ -61,6 +61,7 @@ void bake_meshes(const ObjFile& obj, const MaterialSet& set, const BakeOptions& 
     drop_duplicates(scene, obj.path, warnings);
     decide_sides(scene, set, options.two_sided);
     drop_reversed_duplicates(scene, obj.path, warnings);
+    turn_to_normals(scene, obj.path, warnings);
     if (scene.meshes.empty()) {
         throw Error(ExitCode::input, "nothing to draw", obj.path.string(),
                     obj.faces.empty() ? "the file has no usable face" : "every face is without area",

@@ -14,4 +14,9 @@ inline constexpr double winding_agreement = 0.99;
 /// winding_agreement of its triangles. A triangle without normals agrees with nothing.
 [[nodiscard]] bool winding_is_unreliable(const SourceScene& scene, const SourceMesh& mesh);
 
+/// Turns the triangles of two-sided meshes with unreliable winding that wind against the file's normals, so that the
+/// side that is lit as front is where the normals point. Meshes stay two-sided, and triangles without normals stay as
+/// they are. Counted as "winding-turned".
+void turn_to_normals(SourceScene& scene, const std::filesystem::path& file, Warnings& warnings);
+
 } // namespace atrium

@@ -33,6 +33,8 @@ constexpr std::array kinds{
     WarningKind{"face-too-few-corners", "face with fewer than three corners, dropped", "mend or export again", false},
     WarningKind{"face-degenerate", "triangle without area, dropped", "nothing, unless a hole shows", false},
     WarningKind{"face-duplicate", "triangle given twice, the second dropped", "nothing", false},
+    WarningKind{"winding-turned", "triangle wound against its normals in a mesh of mixed winding, turned", "nothing",
+                false},
     WarningKind{"polygon-not-simple", "polygon crosses itself, so part of it is filled by guess",
                 "triangulate it in the modelling program", false},
     WarningKind{"polygon-too-large", "polygon with too many corners, dropped",

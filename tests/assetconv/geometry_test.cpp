@@ -8,6 +8,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace atrium {
 namespace {
 
@@ -87,6 +90,81 @@ TEST(geometry, a_mesh_is_one_sided_only_where_winding_and_normals_agree)
     EXPECT_TRUE(bake_text(folder, cube(true), on).scene.meshes.at(0).two_sided);
 }
 
+/// An open ball with uvs and one normal a vertex; `turned(face)` says which faces wind against them.
+template <class Turned>
+std::string ball(Turned&& turned)
+{
+    constexpr int rings = 8, slices = 12;
+    std::string text;
+    for (int j = 0; j <= rings; ++j) {
+        for (int i = 0; i <= slices; ++i) {
+            const float a = 0.2f + 2.7f * static_cast<float>(j) / rings,
+                        b = 6.2831853f * static_cast<float>(i % slices) / slices;
+            const vec3 p(std::sin(a) * std::cos(b), std::cos(a), std::sin(a) * std::sin(b));
+            text += fmt::format("v {0} {1} {2}\nvn {0} {1} {2}\nvt {3} {4}\n", p.x, p.y, p.z, i, j);
+        }
+    }
+    const auto corner = [](int j, int i) { return j * (slices + 1) + i + 1; };
+    for (int j = 0, face = 0; j < rings; ++j) {
+        for (int i = 0; i < slices; ++i) {
+            std::array<int, 4> c{corner(j, i), corner(j, i + 1), corner(j + 1, i + 1), corner(j + 1, i)};
+            if (turned(face++)) std::swap(c[1], c[3]);
+            text += fmt::format("f {0}/{0}/{0} {1}/{1}/{1} {2}/{2}/{2} {3}/{3}/{3}\n", c[0], c[1], c[2], c[3]);
+        }
+    }
+    return text;
+}
+
+/// How many triangles wind against their vertex normals.
+int wound_against_normals(const BakeData& bake)
+{
+    int count = 0;
+    for (std::size_t i = 0; i < bake.indices.size(); i += 3) {
+        const auto v = [&](std::size_t k) { return bake.vertices[bake.indices[i + k]]; };
+        const vec3 across = glm::cross(v(1).position - v(0).position, v(2).position - v(0).position);
+        count += glm::dot(across, unpack_normal(v(0).normal) + unpack_normal(v(1).normal)) < 0 ? 1 : 0;
+    }
+    return count;
+}
+
+TEST(geometry, mixed_winding_is_turned_to_the_normals)
+{
+    const Folder folder;
+    const BakeData right = bake_text(folder, ball([](int) { return false; }));
+    EXPECT_EQ(wound_against_normals(right), 0);
+    EXPECT_EQ(warnings_of(right, "winding-turned"), 0u);
+    for (const auto& turned :
+         {+[](int face) { return face % 2 == 0; }, +[](int face) { return face > 10; }, +[](int) { return true; }}) {
+        const BakeData mixed = bake_text(folder, ball(turned));
+        EXPECT_EQ(wound_against_normals(mixed), 0);
+        EXPECT_EQ(mixed.indices.size(), right.indices.size());
+        EXPECT_TRUE(mixed.scene.meshes.at(0).two_sided);
+        int faces = 0;
+        for (int i = 0; i < 96; ++i) faces += turned(i) ? 1 : 0;
+        EXPECT_EQ(warnings_of(mixed, "winding-turned"), 2u * static_cast<unsigned>(faces));
+        // Tangents and their handedness are those of the right ball too.
+        const auto corners = [](const BakeData& bake) {
+            std::vector<std::array<float, 6>> all;
+            for (const Vertex& v : bake.vertices) {
+                all.push_back(
+                    {v.position.x, v.position.y, v.position.z, v.uv.x, v.uv.y, static_cast<float>(v.tangent >> 31)});
+            }
+            std::sort(all.begin(), all.end());
+            return all;
+        };
+        EXPECT_EQ(corners(mixed), corners(right));
+    }
+}
+
+TEST(geometry, winding_is_left_alone_where_it_is_said_to_be_right_or_nothing_tells)
+{
+    const Folder folder;
+    BakeOptions off;
+    off.two_sided = TwoSided::off;
+    EXPECT_EQ(wound_against_normals(bake_text(folder, ball([](int face) { return face < 48; }), off)), 96);
+    EXPECT_EQ(warnings_of(bake_text(folder, cube(false, true)), "winding-turned"), 0u); // no normals to follow
+}
+
 TEST(geometry, ninety_nine_percent_agreement_is_enough)
 {
     const auto strip = [](int reversed) {
@@ -98,8 +176,11 @@ TEST(geometry, ninety_nine_percent_agreement_is_enough)
         return text;
     };
     const Folder folder;
-    EXPECT_FALSE(bake_text(folder, strip(1)).scene.meshes.at(0).two_sided);
-    EXPECT_TRUE(bake_text(folder, strip(2)).scene.meshes.at(0).two_sided);
+    const BakeData reliable = bake_text(folder, strip(1)), mixed = bake_text(folder, strip(2));
+    EXPECT_FALSE(reliable.scene.meshes.at(0).two_sided);
+    EXPECT_EQ(wound_against_normals(reliable), 1); // as the file has it
+    EXPECT_TRUE(mixed.scene.meshes.at(0).two_sided);
+    EXPECT_EQ(wound_against_normals(mixed), 0);
 }
 
 /// Normals of the vertices at a point.
