@@ -50,9 +50,10 @@ struct BakedTexture {
 
 BakedTexture bake_texture(const TextureRecipe& recipe, const ImageStore& images, const BakeOptions& options)
 {
+    std::optional<MaskTest> mask;
+    if (recipe.cutoff) mask = MaskTest{*recipe.cutoff, recipe.clamp};
     std::vector<MipLevel> levels =
-        build_mips(pack_texture(recipe, images), space_of(recipe.role),
-                   recipe.role == TextureRole::base_color && recipe.masked, options.max_texture_size);
+        build_mips(pack_texture(recipe, images), space_of(recipe.role), mask, options.max_texture_size);
     BakedTexture out;
     Texture& t = out.texture;
     t.file = recipe.file();

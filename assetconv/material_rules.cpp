@@ -137,7 +137,7 @@ private:
         if (has_holes) {
             m_.cls = has_solids ? MaterialClass::masked : MaterialClass::blended;
             recipe(plan_.base_color, TextureRole::base_color).alpha = mask.map;
-            plan_.base_color->masked = m_.cls == MaterialClass::masked;
+            if (has_solids) plan_.base_color->cutoff = mask_cutoff / d; // of the texture alone
         } else if (d < 0.9995f) {
             m_.cls = MaterialClass::blended;
         } else if (is_glass(mtl_) && mtl_.tf && largest(*mtl_.tf) > 0 && largest(*mtl_.tf) < 1) {

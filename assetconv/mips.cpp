@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <span>
 
 namespace atrium {
@@ -117,78 +116,62 @@ MipLevel encode(const FloatLevel& level, MipSpace space)
     return out;
 }
 
-/// Mean alpha of the texel and its neighbours: which of two equal texels belongs to the denser part of the mask.
-float density(const FloatLevel& level, std::size_t texel)
+/// The alpha of four channels by itself.
+template <class Value>
+MaskLevel<Value> alpha_of(int width, int height, std::span<const Value> texels)
 {
-    const int x = static_cast<int>(texel) % level.width, y = static_cast<int>(texel) / level.width;
-    float sum = 0;
-    for (int j = -1; j <= 1; ++j) {
-        for (int i = -1; i <= 1; ++i) {
-            const int u = (x + i + level.width) % level.width, v = (y + j + level.height) % level.height;
-            sum += level.values[(static_cast<std::size_t>(v) * static_cast<std::size_t>(level.width) +
-                                 static_cast<std::size_t>(u)) *
-                                    4 +
-                                3];
-        }
-    }
-    return sum;
+    MaskLevel<Value> out{width, height, std::vector<Value>(texels.size() / 4)};
+    for (std::size_t i = 0; i < out.alpha.size(); ++i) out.alpha[i] = texels[i * 4 + 3];
+    return out;
 }
 
-/// Writes alpha so that `wanted` texels, the densest, come out at or above mask_code and all others below.
-void keep_coverage_of(const FloatLevel& level, MipLevel& out, std::size_t wanted)
-{
-    const std::size_t count = level.values.size() / 4;
-    const auto alpha = [&](std::size_t i) { return level.values[i * 4 + 3]; };
-    std::vector<std::uint32_t> order(count);
-    std::iota(order.begin(), order.end(), 0u);
-    const auto denser = [&](std::uint32_t a, std::uint32_t b) {
-        return alpha(a) != alpha(b) ? alpha(a) > alpha(b) : a < b;
-    };
-    std::sort(order.begin(), order.end(), denser);
-    const float threshold = wanted == 0 ? alpha(order[0]) * 1.01f : alpha(order[wanted - 1]);
-    const auto tie_begin =
-        std::find_if(order.begin(), order.end(), [&](std::uint32_t i) { return alpha(i) <= threshold; });
-    const auto tie_end = std::find_if(tie_begin, order.end(), [&](std::uint32_t i) { return alpha(i) < threshold; });
-    std::vector<std::pair<float, std::uint32_t>> tie;
-    for (auto at = tie_begin; at != tie_end; ++at) tie.emplace_back(-density(level, *at), *at);
-    std::sort(tie.begin(), tie.end());
-    std::transform(tie.begin(), tie.end(), tie_begin, [](const auto& t) { return t.second; });
+/// Writes the alpha of a mask's levels.
+class MaskFitter {
+public:
+    MaskFitter(const PackedImage& image, const FloatLevel& finest, const MaskTest& test)
+        : test_(test), wanted_(covered_area(alpha_of<std::uint8_t>(image.width, image.height, image.texels), test)),
+          deviation_(deviation_of(alpha_of<float>(finest.width, finest.height, finest.values).alpha))
+    {}
 
-    const float scale = mask_cutoff / std::max(threshold, 1e-3f);
-    for (std::size_t i = 0; i < count; ++i) {
-        const int code = to_byte(alpha(order[i]) * scale);
-        const int kept = i < wanted ? std::max(code, mask_code) : std::min(code, mask_code - 1);
-        out.texels[order[i] * std::size_t{4} + 3] = static_cast<std::uint8_t>(kept);
+    /// Fits `out`, which follows `before`. False where the mask has become too flat for it.
+    bool fit(const FloatLevel& level, const MipLevel* before, MipLevel& out) const
+    {
+        const auto fitted =
+            fit_mask(alpha_of<float>(level.width, level.height, level.values), test_, wanted_, deviation_);
+        if (!fitted) return false;
+        for (std::size_t i = 0; i < fitted->alpha.size(); ++i) out.texels[i * 4 + 3] = fitted->alpha[i];
+        if (before == nullptr) return true;
+        const auto width = static_cast<int>(before->width), height = static_cast<int>(before->height);
+        return mix_well(alpha_of<std::uint8_t>(width, height, before->texels), *fitted, test_, wanted_);
     }
-}
+
+private:
+    MaskTest test_;
+    double wanted_, deviation_;
+};
 
 } // namespace
 
-double mask_coverage(std::span<const std::uint8_t> rgba)
-{
-    std::size_t visible = 0;
-    for (std::size_t i = 3; i < rgba.size(); i += 4) visible += rgba[i] >= mask_code ? 1 : 0;
-    return static_cast<double>(visible) / static_cast<double>(std::max<std::size_t>(rgba.size() / 4, 1));
-}
-
-std::vector<MipLevel> build_mips(const PackedImage& image, MipSpace space, bool keep_coverage, std::uint32_t max_size)
+std::vector<MipLevel> build_mips(const PackedImage& image, MipSpace space, const std::optional<MaskTest>& mask,
+                                 std::uint32_t max_size)
 {
     const auto fits = [&](const FloatLevel& l) {
         return static_cast<std::uint32_t>(std::max(l.width, l.height)) <= max_size;
     };
-    const double coverage = keep_coverage ? mask_coverage(image.texels) : 0;
     std::vector<MipLevel> levels;
     FloatLevel level = decode(image, space);
+    std::optional<MaskFitter> fitter;
+    if (mask) fitter.emplace(image, level, *mask);
     if (fits(level) || (level.width == 1 && level.height == 1))
         levels.push_back(
             {static_cast<std::uint32_t>(image.width), static_cast<std::uint32_t>(image.height), image.texels});
     while (level.width > 1 || level.height > 1) {
         level = halve(level);
         if (!fits(level) && (level.width > 1 || level.height > 1)) continue;
-        levels.push_back(encode(level, space));
-        if (!keep_coverage) continue;
-        const auto count = static_cast<double>(level.values.size() / 4);
-        keep_coverage_of(level, levels.back(), static_cast<std::size_t>(coverage * count + 0.5));
+        MipLevel encoded = encode(level, space);
+        const MipLevel* before = levels.empty() ? nullptr : &levels.back();
+        if (fitter && !fitter->fit(level, before, encoded) && before != nullptr) break;
+        levels.push_back(std::move(encoded));
     }
     return levels;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // Mip chains, each kind of texture averaged in the space where averages mean something.
 
+#include "assetconv/mask_mips.hpp"
 #include "assetconv/texture_recipe.hpp"
 
 namespace atrium {
@@ -17,14 +18,11 @@ struct MipLevel {
     std::vector<std::uint8_t> texels;
 };
 
-/// The whole chain down to 1 x 1. Each level is the exact area average of the one before, at odd sizes too. With
-/// `keep_coverage` (four channels) every level has as large a share of texels at or above mask_code as level 0, to the
-/// nearest texel: alpha is scaled (Castaño 2010, "Computing Alpha Mipmaps") and ties at the cutoff are broken by the
-/// neighbourhood. Levels whose larger side exceeds `max_size` are left out, the last never.
-[[nodiscard]] std::vector<MipLevel> build_mips(const PackedImage& image, MipSpace space, bool keep_coverage,
-                                               std::uint32_t max_size);
-
-/// Share of texels at or above mask_code in the fourth channel.
-[[nodiscard]] double mask_coverage(std::span<const std::uint8_t> rgba);
+/// The whole chain down to 1 x 1. Each level is the exact area average of the one before, at odd sizes too. With a
+/// `mask` (four channels) the alpha of every level covers as large an area as that of the finest one (fit_mask), and
+/// the chain ends before the size at which the mask has become flat: no alpha could keep the area there. Levels whose
+/// larger side exceeds `max_size` are left out, one always stays.
+[[nodiscard]] std::vector<MipLevel> build_mips(const PackedImage& image, MipSpace space,
+                                               const std::optional<MaskTest>& mask, std::uint32_t max_size);
 
 } // namespace atrium

@@ -100,7 +100,7 @@ private:
         }
         if (!recipe_.alpha) return;
         fill_channel(3, *recipe_.alpha);
-        dilate_color(out_, recipe_.masked ? mask_code : 1);
+        dilate_color(out_, recipe_.cutoff ? static_cast<int>(std::ceil(*recipe_.cutoff * 255)) : 1);
     }
 
     void pack_normals()
@@ -188,9 +188,9 @@ std::string key_of(const std::optional<MapInput>& map)
 std::string TextureRecipe::key() const
 {
     return fmt::format("{} {} {} {} {} {} {} {} {} {} {}\n{}\n{}\n{}\n{}\n{}\n{}", static_cast<int>(role), clamp,
-                       masked, from_height, green_down, strength, bake_roughness, base_roughness, ns, color.has_value(),
-                       alpha.has_value(), key_of(color), key_of(alpha), key_of(specular), key_of(shininess),
-                       key_of(roughness), key_of(metallic));
+                       cutoff.value_or(0), from_height, green_down, strength, bake_roughness, base_roughness, ns,
+                       color.has_value(), alpha.has_value(), key_of(color), key_of(alpha), key_of(specular),
+                       key_of(shininess), key_of(roughness), key_of(metallic));
 }
 
 std::string TextureRecipe::file() const

@@ -35,7 +35,7 @@ struct TextureRecipe {
     std::optional<MapInput> color;
     // base_color
     std::optional<MapInput> alpha; ///< opacity; none: 1 everywhere
-    bool masked = false;           ///< keep the coverage of the mask over the mips
+    std::optional<float> cutoff;   ///< of a mask, whose area the mips keep: alpha below it is a hole
     // normal
     bool from_height = false;
     bool green_down = false;
@@ -63,9 +63,8 @@ struct PackedImage {
     }
 };
 
-/// Alpha below this share is a hole in a mask; the 8-bit code 128 is the first above.
+/// Opacity below this is a hole in a mask.
 inline constexpr float mask_cutoff = 0.5f;
-inline constexpr int mask_code = 128;
 
 /// Packs at the size of the largest map in the recipe; smaller ones are enlarged bilinearly. Every image that the
 /// recipe names must be in the store.

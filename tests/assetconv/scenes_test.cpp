@@ -2,6 +2,7 @@
 
 #include "bake_rig.hpp"
 
+#include "assetconv/mask_mips.hpp"
 #include "renderer/core/error.hpp"
 
 #include <map>
@@ -67,6 +68,36 @@ TEST(scenes, sponza_normal_maps_are_all_turned_green_up)
     const BakeData found = bake_scene(options);
     options.normal_y = NormalY::down;
     EXPECT_EQ(found.texels, bake_scene(options).texels); // every one of them was found to be green down
+}
+
+TEST(scenes, masks_keep_their_area_in_every_mip)
+{
+    if (scene("").empty()) GTEST_SKIP() << "ATRIUM_SCENES names no folder of scenes";
+    int masks = 0;
+    for (const char* file :
+         {"sponza/sponza_nobanner.obj", "foliage/bush/bush.obj", "foliage/christmas_tree/christmas_tree.obj"}) {
+        BakeOptions options;
+        options.input = scene(file);
+        const BakeData bake = bake_scene(options);
+        for (const Material& m : bake.scene.materials) {
+            if (m.cls != MaterialClass::masked) continue;
+            const Texture& t = bake.scene.textures[static_cast<std::size_t>(m.base_color_texture)];
+            const auto offsets = mip_offsets(t.format, t.width, t.height, t.mips);
+            double wanted = 0;
+            for (std::uint32_t mip = 0; mip < t.mips; ++mip) {
+                const std::uint32_t width = std::max(1u, t.width >> mip), height = std::max(1u, t.height >> mip);
+                MaskLevel<std::uint8_t> level{static_cast<int>(width), static_cast<int>(height), {}};
+                for (std::size_t i = 0; i < std::size_t{width} * height; ++i)
+                    level.alpha.push_back(static_cast<std::uint8_t>(bake.texels[t.offset + offsets[mip] + i * 4 + 3]));
+                const double area = covered_area(level, {m.alpha_cutoff / m.opacity, t.clamp});
+                if (mip == 0) wanted = area;
+                EXPECT_NEAR(area, wanted, 0.03 * std::min(wanted, 1 - wanted)) << t.file << " " << mip;
+            }
+            EXPECT_LE(std::max(t.width, t.height) >> (t.mips - 1), 8u) << t.file; // leaves last until they are specks
+            ++masks;
+        }
+    }
+    EXPECT_EQ(masks, 5);
 }
 
 TEST(scenes, all_others_bake_or_say_why_not)
