@@ -36,9 +36,9 @@ vec4 sample_material(uint slot, uint sampler_slot, vec2 uv, float bias)
     return texture(sampler2D(textures[nonuniformEXT(slot)], samplers[nonuniformEXT(sampler_slot)]), uv, bias);
 }
 
-vec4 sample_material_lod0(uint slot, uint sampler_slot, vec2 uv)
+vec4 sample_material_level(uint slot, uint sampler_slot, vec2 uv, float level)
 {
-    return textureLod(sampler2D(textures[nonuniformEXT(slot)], samplers[nonuniformEXT(sampler_slot)]), uv, 0.0);
+    return textureLod(sampler2D(textures[nonuniformEXT(slot)], samplers[nonuniformEXT(sampler_slot)]), uv, level);
 }
 
 /// Base colour and opacity, from which masks are cut.
@@ -49,11 +49,24 @@ vec4 sample_base_color(Material m, vec2 uv)
     return color;
 }
 
-/// Opacity for the mask's test. With debug.alpha_lod0 it is read from mip 0, as a ray tracer would.
-float mask_opacity(Material m, vec2 uv, float filtered)
+/// Mip level at which a mask is tested. Every level covers as large an area as the finest (the bake sees to that), so any
+/// is right on average; of an anisotropic footprint it is that of the sides' geometric mean, because the mean of several
+/// samples along it would lose what is thinner than it is long. With debug.alpha_lod0 the finest, as a ray tracer reads it.
+float mask_level(vec2 texels_dx, vec2 texels_dy, float bias)
 {
-    if ((frame.flags & flag_alpha_lod0) == 0u || m.base_color_slot == no_texture_slot) return filtered;
-    return m.opacity * sample_material_lod0(m.base_color_slot, m.sampler_slot, uv).a;
+    if ((frame.flags & flag_alpha_lod0) != 0u) return 0.0;
+    float longest = max(dot(texels_dx, texels_dx), dot(texels_dy, texels_dy));
+    float area = abs(texels_dx.x * texels_dy.y - texels_dx.y * texels_dy.x);
+    return max(0.0, bias + 0.5 * max(log2(area), log2(longest) - 6.0)); // area and square of the longer side: half the log
+}
+
+/// Opacity for the mask's test, and the level it was read at.
+vec2 mask_opacity(Material m, vec2 uv, float bias)
+{
+    if (m.base_color_slot == no_texture_slot) return vec2(m.opacity, 0.0);
+    vec2 size = vec2(textureSize(sampler2D(textures[nonuniformEXT(m.base_color_slot)], samplers[nonuniformEXT(m.sampler_slot)]), 0));
+    float level = mask_level(dFdx(uv) * size, dFdy(uv) * size, bias);
+    return vec2(m.opacity * sample_material_level(m.base_color_slot, m.sampler_slot, uv, level).a, level);
 }
 
 /// Shading normal. Source: Mikkelsen 2008: unnormalised interpolants, bitangent from the handedness.

@@ -7,7 +7,5 @@ void main()
 {
     GpuMaterial packed = material_table[record_table[v_record].material];
     Material m = unpack_material(packed.factors, packed.slots, packed.flags | v_record);
-    float opacity = m.opacity;
-    if (m.base_color_slot != no_texture_slot) opacity *= sample_material(m.base_color_slot, m.sampler_slot, v_uv, -1.0).a;
-    if (is_hole(m, v_uv, opacity)) discard;
+    if (is_hole(m, v_uv, -1.0)) discard;
 }
