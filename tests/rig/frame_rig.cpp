@@ -78,6 +78,13 @@ const std::filesystem::path& courtyard_bake()
     return bake;
 }
 
+std::filesystem::path bake_of(const std::filesystem::path& obj)
+{
+    std::filesystem::path file = temporary_folder() / (obj.stem().string() + ".atrium");
+    run({converter(), "bake", obj.string(), "-o", file.string(), "--quiet"});
+    return file;
+}
+
 std::optional<std::filesystem::path> real_scenes()
 {
     const char* folder = std::getenv("ATRIUM_SCENES");

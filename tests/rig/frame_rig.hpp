@@ -50,6 +50,9 @@ void reset_engine();
 /// The courtyard at low detail, written and baked once per program.
 [[nodiscard]] const std::filesystem::path& courtyard_bake();
 
+/// Bakes an OBJ into a file of the temporary folder.
+[[nodiscard]] std::filesystem::path bake_of(const std::filesystem::path& obj);
+
 /// Folder of real scenes (environment's ATRIUM_SCENES), if any.
 [[nodiscard]] std::optional<std::filesystem::path> real_scenes();
 /// Sponza in metres, baked once per program; empty when there are no real scenes.
