@@ -114,6 +114,54 @@ TEST(oracle, sees_wrong_placements)
     EXPECT_NE(spoilt([](Plan& p) { p.placements[3] = p.placements[0]; }), "");
 }
 
+TEST(oracle, sees_attachments_wrongly_stored_or_not)
+{
+    oracle::Frame frame = sound_frame();
+    EXPECT_EQ(oracle::contents_problem(frame), "");
+    frame.plan.passes[1].unstored = 2; // second, which is read
+    EXPECT_EQ(oracle::contents_problem(frame), "other attachments of read first are stored than should be");
+    frame = sound_frame();
+    EXPECT_NE(frame.plan.passes[3].unstored, 0u) << "nobody reads third";
+    frame.plan.passes[3].unstored = 0;
+    EXPECT_NE(oracle::contents_problem(frame), "");
+}
+
+/// Two frames of an image with a history: the second reads what the first wrote, and writes where it read before.
+std::vector<oracle::Frame> frames_with_history()
+{
+    SmallGraph g;
+    const auto now = g.add({.name = "now", .transient = false, .keep = true, .initial_parts = {{}}});
+    const auto before = g.add({.name = "before", .transient = false, .initial_parts = {{}}});
+    g.pass("write", {{now, A::color_write, {}, true}});
+    oracle::Frame first{g.desc, {}, {}, {}, {{now, before}}, g.desc.passes};
+    first.passes_with_history[0].uses.push_back({before, A::sampled_fragment});
+    first.plan = make_plan(first.graph);
+    oracle::Frame second = next_frame(first);
+    second.plan = make_plan(second.graph);
+    return {first, second};
+}
+
+TEST(oracle, follows_memory_that_swaps)
+{
+    const std::vector<oracle::Frame> sound = frames_with_history();
+    EXPECT_EQ(sound[1].memory_of, (std::vector<ResourceIndex>{1, 0}));
+    EXPECT_EQ(oracle::Oracle(sound).problem(), "");
+    EXPECT_EQ(oracle::contents_problem(sound[1]), "");
+    ASSERT_EQ(sound[1].plan.passes[0].barriers.size(), 2u);
+    EXPECT_NE(oracle::Oracle(sound).problem_without({1, 0, 1}), "") << "the barrier on what the first frame wrote";
+
+    std::vector<oracle::Frame> spoilt = sound;
+    spoilt[1].memory_of = {0, 1};
+    EXPECT_NE(oracle::Oracle(spoilt).problem(), "") << "nothing was written there";
+    spoilt = sound;
+    spoilt[1].graph.resources[1].initial_parts[0].last = A::storage_write;
+    spoilt[1].plan = make_plan(spoilt[1].graph);
+    EXPECT_NE(oracle::Oracle(spoilt).problem().find("wrong old layout"), std::string::npos);
+    spoilt = sound;
+    spoilt[0].plan.final_parts[0][0].defined = false;
+    EXPECT_NE(oracle::contents_problem(spoilt[0]), "");
+}
+
 TEST(oracle, sees_wrong_choices_of_passes)
 {
     oracle::Frame frame = sound_frame();
