@@ -301,7 +301,8 @@ public:
     [[nodiscard]] std::size_t pass_count() const { return passes_.size(); }
     [[nodiscard]] std::uint64_t bytes(Buf buffer) const { return resources_[buffer.index].bytes; }
     [[nodiscard]] std::optional<Tex> find(const std::string& name) const; ///< the image called so, if any
-    /// Images that passes declared so far can read, by name: imported ones, and those that one of them writes.
+    /// Images of one sample that passes declared so far can read, by name: imported ones, those that hold something
+    /// from before, and those that one of the passes writes.
     [[nodiscard]] std::vector<std::pair<std::string, Tex>> readable_images() const;
 
 private:
