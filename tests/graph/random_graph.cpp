@@ -84,7 +84,7 @@ private:
             r.alignment = std::uint64_t{1} << below(5);
             r.memory_class = below(2);
         } else if (chance(75)) {
-            r.initial = r.is_image && chance(15) ? Access::present : any(r, chance(50));
+            r.initial = r.is_image && r.samples == 1 && chance(15) ? Access::present : any(r, chance(50));
             const auto other = gpu::info(any(r, false)).stages;
             if (r.initial != Access::present && !gpu::is_write(r.initial) && chance(30)) r.initial_wait.stages = other;
         }
