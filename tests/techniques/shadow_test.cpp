@@ -369,7 +369,7 @@ TEST(shadow, maps_of_what_stays_are_kept_and_change_nothing)
 void light_courtyard(rig::FrameRig& rig)
 {
     rig.look({-8, 1.7f, 0.5f}, {8, 2.5f, 0});
-    rig.light("sun,intensity=3");
+    rig.light("sun,illuminance=3");
     rig.light("spot,position=0:4:0,intensity=200,inner=20,outer=35");
     rig.light("point,position=3:2:1,intensity=50,range=6");
     rig.light("rect,position=0:5:0,width=2");
