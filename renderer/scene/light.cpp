@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -16,6 +17,15 @@ namespace {
 constexpr std::array<const char*, 4> type_names{"sun", "spot", "point", "rect"}; // in the enum's order
 constexpr std::size_t longest_name = 64;
 constexpr float least_length = 1e-6f; // of a direction: its square is still a normal float
+
+/// Names every field, so that a new one cannot be forgotten.
+auto compared(const Light& light)
+{
+    const auto& [type, name, position, direction, up, color, illuminance, intensity, radiance, angle, inner, outer,
+                 size, range, width, height, shadow, id] = light;
+    return std::tie(type, name, position, direction, up, color, illuminance, intensity, radiance, angle, inner, outer,
+                    size, range, width, height, shadow);
+}
 
 LightType parse_type(std::string_view text, ExitCode code, const std::string& where)
 {
@@ -55,6 +65,11 @@ void check_name(const Light& light, ExitCode code, std::string_view where)
 }
 
 } // namespace
+
+bool Light::operator==(const Light& other) const
+{
+    return compared(*this) == compared(other);
+}
 
 const char* to_string(LightType t)
 {
