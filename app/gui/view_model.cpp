@@ -37,6 +37,7 @@ void ViewModel::reset(const Settings& new_settings, const Camera& new_camera, st
     settings = new_settings;
     camera = start_camera_ = new_camera;
     lights = std::move(new_lights);
+    for (Light& light : lights) light.id = next_light_id_++;
     selected.reset();
     past_.clear();
     future_.clear();
@@ -183,6 +184,7 @@ bool ViewModel::add_light(LightType type, const vec3& position)
     if (lights.size() >= max_lights) return false;
     Light light = default_light(type);
     light.name = free_light_name();
+    light.id = next_light_id_++;
     if (type != LightType::sun) light.position = position; // a sun has none, and a field it has not keeps its default
     lights.push_back(std::move(light));
     select(lights.size() - 1);
@@ -194,6 +196,7 @@ bool ViewModel::duplicate_selected()
     if (!selected || *selected >= lights.size() || lights.size() >= max_lights) return false;
     Light copy = lights[*selected];
     copy.name = free_light_name();
+    copy.id = next_light_id_++;
     lights.push_back(std::move(copy));
     select(lights.size() - 1);
     return true;
@@ -219,6 +222,7 @@ std::optional<std::string> ViewModel::set_light(std::size_t index, Light light)
         if (i != index && lights[i].name == light.name) return fmt::format("another light is called {}", light.name);
     }
     if (light.name != lights.at(index).name) rename_buffers(index, light.name);
+    light.id = lights[index].id;
     lights[index] = std::move(light);
     return std::nullopt;
 }

@@ -40,7 +40,7 @@ public:
     Settings settings;
     SettingList list; ///< bound to `settings`; its defaults are those of Settings
     Camera camera;
-    std::vector<Light> lights;                    ///< named, no name twice
+    std::vector<Light> lights;                    ///< named, no name twice, each with an id that no other ever had
     std::optional<std::size_t> selected;          ///< of `lights`
     std::optional<Split> split;                   ///< no part of undo and redo
     std::vector<PinnedBuffer> pinned;             ///< at most max_insets, no name twice
@@ -137,6 +137,7 @@ private:
     void rename_buffers(std::size_t light, const std::string& name);
 
     Camera start_camera_;
+    std::uint32_t next_light_id_ = 1;
     Snapshot last_; ///< as of the last checkpoint, undo or redo
     std::deque<Snapshot> past_;
     std::vector<Snapshot> future_; ///< the next one to redo at the end

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -180,6 +182,39 @@ TEST_F(view_model, lights_are_added_copied_and_removed)
     while (model.selected) model.remove_selected();
     EXPECT_TRUE(model.lights.empty());
     EXPECT_FALSE(model.duplicate_selected());
+}
+
+TEST_F(view_model, each_light_stays_itself_whatever_happens_to_the_others)
+{
+    const auto ids = [&] {
+        std::vector<std::uint32_t> out;
+        for (const Light& light : model.lights) out.push_back(light.id);
+        return out;
+    };
+    ASSERT_TRUE(model.add_light(LightType::spot, {1, 2, 3}));
+    const std::vector<std::uint32_t> three = ids();
+    EXPECT_EQ(std::set(three.begin(), three.end()).size(), 3u);
+    EXPECT_EQ(std::count(three.begin(), three.end(), 0u), 0);
+    model.checkpoint();
+    model.selected = 1;
+    model.remove_selected();
+    EXPECT_EQ(ids(), (std::vector{three[0], three[2]}));
+    model.undo();
+    EXPECT_EQ(ids(), three) << "it is the same one again";
+    model.selected = 2;
+    model.remove_selected();
+    ASSERT_TRUE(model.add_light(LightType::spot, {1, 2, 3}));
+    EXPECT_EQ(model.lights[2].name, "light2");
+    EXPECT_EQ(std::count(three.begin(), three.end(), ids()[2]), 0) << "it has the name of a light that went, no more";
+    ASSERT_TRUE(model.duplicate_selected());
+    EXPECT_NE(ids()[3], ids()[2]);
+    Light renamed = default_light(LightType::point);
+    renamed.name = "lamp";
+    const std::uint32_t before = ids()[0];
+    EXPECT_EQ(model.set_light(0, renamed), std::nullopt);
+    EXPECT_EQ(ids()[0], before);
+    model.reset(model.settings, model.camera, {default_light(LightType::sun)});
+    EXPECT_EQ(std::count(three.begin(), three.end(), ids()[0]), 0) << "another scene has other lights";
 }
 
 TEST_F(view_model, there_are_no_more_lights_than_can_be_drawn)
