@@ -85,7 +85,8 @@ std::map<std::string, double> run_device_floors(Engine& engine, const FrameReque
     const GpuScene& scene = engine.scene();
     const GBuffer gb =
         add_culled_gbuffer(g, scene.tasks(), scene.geometry(), request.size, request.settings.culling).gbuffer;
-    const std::size_t shadowed = shadowed_lights(request.lights, request.settings.shadow).size();
+    const std::size_t shadowed =
+        make_light_set(request.lights, most_shadowed_lights(request.settings.shadow)).shadowed.size();
     add_lighting_floor(g, gb, shadowed);
     if (request.settings.ao.method != AoMethod::off) add_ao_floor(g, gb, request.settings.ao.samples);
     if (shadowed > 0) add_shadow_floor(g, request.size, request.settings.shadow);

@@ -55,12 +55,15 @@ struct FrameSequence {
         FrameRequest out = request;
         out.camera = camera_at(path, time(i), request.camera);
         out.previous_camera = camera_at(path, time(i) - options.dt, request.camera);
+        out.frame_index = outputs.first_frame() + i;
+        out.time = time(i);
+        out.time_step = options.dt;
         return out;
     }
     [[nodiscard]] ImageMetadata metadata(std::size_t i) const
     {
         const FrameRequest drawn = frame(i);
-        ImageMetadata out = describe_frame(drawn, time(i));
+        ImageMetadata out = describe_frame(drawn, drawn.time);
         if (outputs.numbered()) out[resume_key] = resume_text(scene_mark, drawn.previous_camera);
         return out;
     }

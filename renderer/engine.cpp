@@ -3,6 +3,7 @@
 #include "renderer/core/error.hpp"
 #include "renderer/core/log.hpp"
 #include "renderer/frame_constants.hpp"
+#include "renderer/frame_resources.hpp"
 #include "renderer/techniques/lighting/ltc_table.hpp"
 #include "shaders/shared/buffer_view.h"
 
@@ -10,6 +11,7 @@
 
 #include <glm/gtc/packing.hpp>
 
+#include <array>
 #include <chrono>
 #include <cstring>
 #include <map>
@@ -18,11 +20,6 @@
 
 namespace atrium {
 namespace {
-
-std::uint64_t bytes_of(const graph::TexDesc& desc)
-{
-    return std::uint64_t{desc.width} * desc.height * gpu::bytes_per_texel(desc.format);
-}
 
 /// First `channels` of each texel, as floats times `scale`.
 ImageF to_image(std::span<const std::byte> bytes, const graph::TexDesc& desc, int channels, float scale)
@@ -56,55 +53,9 @@ Image8 to_picture(std::span<const std::byte> rgba, const graph::TexDesc& desc)
     return image;
 }
 
-/// Buffers that the CPU reads results from, kept from frame to frame.
-class Readbacks {
-public:
-    explicit Readbacks(const gpu::Device& device) : device_(device) {}
-    void begin() { used_ = 0; }
-    /// A buffer of at least `bytes`, into which a pass of the graph copies.
-    const gpu::Buffer& add(std::uint64_t bytes)
-    {
-        if (used_ == buffers_.size()) buffers_.emplace_back();
-        auto& slot = buffers_[used_++];
-        if (!slot || slot->size() != bytes) {
-            slot = std::make_unique<gpu::Buffer>(device_, "readback", bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                                                 gpu::MemoryUse::readback);
-        }
-        return *slot;
-    }
-
-private:
-    const gpu::Device& device_;
-    std::vector<std::unique_ptr<gpu::Buffer>> buffers_;
-    std::size_t used_ = 0;
-};
-
-const gpu::Buffer& read_back(graph::Graph& g, Readbacks& readbacks, graph::Tex texture, const std::string& name)
-{
-    const gpu::Buffer& buffer = readbacks.add(bytes_of(g.desc(texture)));
-    const graph::Buf target = g.import("readback." + name, buffer);
-    g.keep(target, gpu::Access::host_read);
-    g.transfer("readback." + name).reads(texture).writes(target).record([=](graph::Cmd& cmd) {
-        cmd.copy(texture, target);
-    });
-    return buffer;
-}
-
-const gpu::Buffer& read_back(graph::Graph& g, Readbacks& readbacks, graph::Buf from, std::uint64_t bytes,
-                             const std::string& name)
-{
-    const gpu::Buffer& buffer = readbacks.add(bytes);
-    const graph::Buf target = g.import("readback." + name, buffer);
-    g.keep(target, gpu::Access::host_read);
-    g.transfer("readback." + name).reads(from).writes(target).record([=](graph::Cmd& cmd) {
-        cmd.copy(from, target, bytes);
-    });
-    return buffer;
-}
-
 const gpu::Buffer& read_back(graph::Graph& g, Readbacks& readbacks, const DrawList& draws)
 {
-    return read_back(g, readbacks, draws.commands, draws.count * sizeof(shared::DrawCommand), "draws");
+    return readbacks.add(g, draws.commands, draws.count * sizeof(shared::DrawCommand), "draws");
 }
 
 BufferFacts facts_of(std::span<const std::byte> bytes, const ShownBuffer& shown)
@@ -128,12 +79,10 @@ struct Engine::State {
         : options(o), instance(o.validate, o.window.instance_extensions),
           device(instance, gpu::choose_device(instance, o.device), static_cast<bool>(o.window)), descriptors(device),
           pipelines(device, descriptors, o.shaders, o.cache_folder), runner(device, descriptors, pipelines),
-          readbacks(device), kept_readbacks(device), shadow_maps(device), ui(device),
-          constants(device, "frame constants", sizeof(shared::FrameConstants), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
-                    gpu::MemoryUse::upload),
+          frame(device), kept_readbacks(device), shadow_maps(device), ui(device),
           ltc(device, "ltc", ltc_table().size_bytes(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::MemoryUse::upload)
     {
-        descriptors.set_frame_buffer(gpu::FrameBinding::constants, constants);
+        descriptors.set_frame_buffer(gpu::FrameBinding::constants, frame.constants);
         std::memcpy(ltc.mapped().data(), ltc_table().data(), ltc_table().size_bytes());
         ltc.flush();
         descriptors.set_frame_buffer(gpu::FrameBinding::ltc, ltc);
@@ -145,7 +94,7 @@ struct Engine::State {
     gpu::Descriptors descriptors;
     gpu::Pipelines pipelines;
     graph::Runner runner;
-    Readbacks readbacks;
+    FrameResources frame;                 ///< of the frame in flight
     Readbacks kept_readbacks;             ///< of kept_buffers, which stay from frame to frame
     std::vector<KeptBuffer> kept_buffers; ///< of the picture kept last
     ShadowMaps shadow_maps;
@@ -153,9 +102,9 @@ struct Engine::State {
     std::unique_ptr<gpu::Swapchain> swapchain; ///< where there is a window
     bool swapchain_stale = true;
     gpu::PresentMode present_mode = gpu::PresentMode::on;
-    gpu::Buffer constants;
     gpu::Buffer ltc; ///< the table of area lights
     std::unique_ptr<GpuScene> scene;
+    std::array<std::optional<float>, 2> last_exposures; ///< by PictureSlot: of the last frame that each view showed
     std::unique_ptr<Renderer> renderer;
     RenderPath path = RenderPath::deferred;
 };
@@ -247,16 +196,40 @@ void Engine::replace_shader(const std::string& name, std::span<const std::uint32
 void Engine::forget_frames()
 {
     state_->runner.forget();
+    state_->last_exposures = {};
+}
+
+namespace {
+
+/// The view that a request is of: the picture beside the main one has a history of its own.
+PictureSlot slot_of(const FrameRequest& request)
+{
+    return request.keep_picture.value_or(PictureSlot::main);
+}
+
+} // namespace
+
+View Engine::view_of(const FrameRequest& request) const
+{
+    ViewDescription description = describe_view(request, state_->scene->bounds());
+    const std::optional<float>& last = state_->last_exposures[static_cast<std::size_t>(slot_of(request))];
+    description.cut = request.cut || !last;
+    description.previous_exposure = last.value_or(description.exposure);
+    return make_view(description);
 }
 
 void Engine::set_frame_constants(const FrameRequest& request)
 {
+    write_constants(view_of(request), make_light_set(request.lights, most_shadowed_lights(request.settings.shadow)),
+                    request.settings);
+}
+
+void Engine::write_constants(const View& view, const LightSet& lights, const Settings& settings)
+{
     State& s = *state_;
-    s.descriptors.set_material_filter(request.settings.texture.anisotropy, 0);
-    s.scene->sort_for(request.camera.eye);
-    const shared::FrameConstants constants = make_frame_constants(request, *s.scene);
-    std::memcpy(s.constants.mapped().data(), &constants, sizeof(constants));
-    s.constants.flush();
+    s.descriptors.set_material_filter(settings.texture.anisotropy, 0);
+    s.scene->sort_for(view.camera.eye);
+    s.frame.write(make_frame_constants(view, lights, settings));
 }
 
 namespace {
@@ -293,8 +266,8 @@ void Engine::keep_shown(graph::Graph& g, const Frame& frame, const FrameRequest&
     if (!request.keep_buffers) return;
     for (std::size_t i = 0; i < frame.shown.size(); ++i) {
         const graph::Tex values = frame.shown[i].values;
-        s.kept_buffers.push_back({&read_back(g, s.kept_readbacks, values, fmt::format("buffer.{}", i)), g.desc(values),
-                                  frame.shown[i].channels});
+        s.kept_buffers.push_back(
+            {&s.kept_readbacks.add(g, values, fmt::format("buffer.{}", i)), g.desc(values), frame.shown[i].channels});
     }
 }
 
@@ -321,25 +294,26 @@ FrameResult Engine::draw(const FrameRequest& request)
         s.renderer = make_renderer(s.path);
     }
     if (s.scene->override_materials(request.materials)) forget_frames();
-    set_frame_constants(request);
+    const View view = view_of(request);
+    const LightSet lights = make_light_set(request.lights, most_shadowed_lights(request.settings.shadow));
+    write_constants(view, lights, request.settings);
 
-    graph::Graph g(s.runner,
-                   {request.size, request.size, request.keep_picture == PictureSlot::other ? "other" : "main"});
+    graph::Graph g(s.runner, {view.render_size, view.output_size,
+                              slot_of(request) == PictureSlot::other ? "other" : "main", view.cut});
     const FrameContext context{request.settings,
                                *s.scene,
-                               request.size,
-                               request.camera,
-                               request.lights,
+                               view,
+                               lights,
                                &s.shadow_maps,
                                request.remember,
-                               order_lights(request.lights),
                                s.device.report().optional.lines,
-                               request.insets,
+                               &request.insets,
                                request.outlined,
                                request.keep_picture.has_value()}; // in a window, what is shown outlives techniques
     const Frame frame = build_frame(g, *s.renderer, context, request.aovs);
 
-    s.readbacks.begin();
+    Readbacks& readbacks = s.frame.readbacks;
+    readbacks.begin();
     const gpu::Buffer* picture = nullptr;
     const gpu::Buffer* hdr = nullptr;
     std::vector<const gpu::Buffer*> commands;
@@ -347,27 +321,24 @@ FrameResult Engine::draw(const FrameRequest& request)
     std::vector<const gpu::Buffer*> statistics;
     if (request.keep_picture) keep_shown(g, frame, request);
     for (const ShownBuffer& b : frame.shown)
-        statistics.push_back(&read_back(g, s.readbacks, b.statistics, sizeof(shared::BufferStatistics), "statistics"));
-    if (request.want_picture) picture = &read_back(g, s.readbacks, frame.picture, "picture");
-    if (request.want_hdr) hdr = &read_back(g, s.readbacks, frame.hdr, "hdr");
+        statistics.push_back(&readbacks.add(g, b.statistics, sizeof(shared::BufferStatistics), "statistics"));
+    if (request.want_picture) picture = &readbacks.add(g, frame.picture, "picture");
+    if (request.want_hdr) hdr = &readbacks.add(g, frame.hdr, "hdr");
     for (std::size_t i = 0; i < frame.aovs.size(); ++i) {
-        aovs.push_back(&read_back(g, s.readbacks, frame.aovs[i].values, fmt::format("aov.{}", i)));
+        aovs.push_back(&readbacks.add(g, frame.aovs[i].values, fmt::format("aov.{}", i)));
     }
     if (request.want_statistics && s.scene->tasks().count > 0) {
-        for (const DrawList& draws : frame.draws) commands.push_back(&read_back(g, s.readbacks, draws));
+        for (const DrawList& draws : frame.draws) commands.push_back(&read_back(g, readbacks, draws));
     }
 
     FrameResult result;
     const double built_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     result.stats = s.runner.run(g, request.timers);
     result.record_ms = built_ms + result.stats.cpu_ms;
+    s.last_exposures[static_cast<std::size_t>(slot_of(request))] = view.exposure;
     if (request.want_graph) result.graph = make_graph_facts(g, frame, s.runner, result.stats);
 
-    const auto bytes_in = [](const gpu::Buffer& buffer) {
-        buffer.invalidate();
-        return std::span<const std::byte>(buffer.mapped());
-    };
-    const float unexpose = 1.0f / exposure_scale(request.settings.exposure);
+    const float unexpose = 1.0f / view.exposure;
     if (picture) result.picture = to_picture(bytes_in(*picture), g.desc(frame.picture));
     if (hdr) result.hdr = to_image(bytes_in(*hdr), g.desc(frame.hdr), 3, unexpose);
     for (std::size_t i = 0; i < aovs.size(); ++i) {

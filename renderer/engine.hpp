@@ -3,6 +3,7 @@
 
 #include "renderer/core/image.hpp"
 #include "renderer/frame.hpp"
+#include "renderer/frame_request.hpp"
 #include "renderer/gpu/swapchain.hpp"
 #include "renderer/graph/runner.hpp"
 #include "renderer/graph_facts.hpp"
@@ -34,27 +35,6 @@ struct SceneDescription {
     std::vector<const BakeFile*> bakes;
     std::vector<Instance> instances;
     std::vector<MaterialOverride> overrides;
-};
-
-struct FrameRequest {
-    uvec2 size{1280, 720};
-    Camera camera;
-    Camera previous_camera;    ///< of the frame before, for motion vectors
-    std::vector<Light> lights; ///< at most max_lights, named
-    Settings settings;
-    std::vector<MaterialOverride> materials; ///< after those that the scene was loaded with
-    std::optional<std::uint32_t> outlined;   ///< material with a line around its pixels in the picture
-    std::vector<Aov> aovs;
-    bool want_picture = true, want_hdr = false;
-    std::optional<PictureSlot> keep_picture; ///< on the device, for show(); the insets too
-    Insets insets;                           ///< at most max_insets
-    bool keep_buffers = false;               ///< values of the buffers shown, for buffer_value()
-    bool want_graph = false;                 ///< what the graph was
-    bool want_statistics = false;            ///< triangles and material changes, read back from the device
-    /// Begin with what the frame before saw: faster while cameras move little. Where surfaces lie at the same depth, it
-    /// can then depend on the frame before which of them is seen.
-    bool remember = false;
-    gpu::TimerMode timers = gpu::TimerMode::overlapped;
 };
 
 struct FrameResult {
@@ -109,12 +89,14 @@ public:
     [[nodiscard]] const GpuScene& scene() const;
     [[nodiscard]] graph::Runner& runner();
     [[nodiscard]] std::size_t validation_messages() const;
-    /// Writes the frame's constants, as render() does: for benchmarks that run graphs of their own.
+    /// Writes the frame's constants and draw order, as render() does: for benchmarks that run graphs of their own.
     void set_frame_constants(const FrameRequest& request);
     [[nodiscard]] gpu::Descriptors& descriptors();
 
 private:
     void forget_frames(); ///< what outlives a frame on the device
+    [[nodiscard]] View view_of(const FrameRequest& request) const;
+    void write_constants(const View& view, const LightSet& lights, const Settings& settings);
     [[nodiscard]] FrameResult draw(const FrameRequest& request);
     void keep_shown(graph::Graph& g, const Frame& frame, const FrameRequest& request);
     struct State;

@@ -21,14 +21,12 @@ FrameShadows add_shadows(graph::Graph& g, const GBuffer& gbuffer, const FrameCon
 {
     if (!frame.shadow_maps) return {};
     const Settings& s = frame.settings;
-    const float aspect = static_cast<float>(frame.size.x) / static_cast<float>(frame.size.y);
     const ShadowCasters casters{frame.scene.tasks(), frame.scene.geometry(), frame.scene.bounds(),
                                 vec2(s.texture.anisotropy, s.debug.alpha_lod0 ? 1 : 0)};
-    const ShadowMapSet maps = frame.shadow_maps->add(g, casters, frame.lights, frame.camera, aspect, s.shadow);
+    const ShadowMapSet maps = frame.shadow_maps->add(g, casters, frame.lights, frame.view, s.shadow);
     if (s.shadow.filter != ShadowFilter::reference)
-        return {maps, add_all_visibility(g, gbuffer, maps, frame.lights, s.shadow)};
-    return {maps,
-            frame.shadow_maps->add_reference(g, gbuffer, casters, frame.lights, frame.camera, aspect, maps, s.shadow)};
+        return {maps, add_all_visibility(g, gbuffer, maps, frame.lights.lights, s.shadow)};
+    return {maps, frame.shadow_maps->add_reference(g, gbuffer, casters, frame.lights, frame.view, maps, s.shadow)};
 }
 
 class DeferredRenderer final : public Renderer {
@@ -36,23 +34,23 @@ public:
     SceneImages add_passes(graph::Graph& g, const FrameContext& frame) const override
     {
         const Settings& s = frame.settings;
-        const auto [gbuffer, draws, occluders] =
-            add_culled_gbuffer(g, frame.scene.tasks(), frame.scene.geometry(), frame.size, s.culling, frame.remember);
+        const auto [gbuffer, draws, occluders] = add_culled_gbuffer(g, frame.scene.tasks(), frame.scene.geometry(),
+                                                                    frame.view.render_size, s.culling, frame.remember);
         const AmbientOcclusion ao = add_ao(g, gbuffer, s.ao);
         const auto [shadows, visibility] = add_shadows(g, gbuffer, frame);
         LightingTerms all;
         all.visibility = visibility;
         all.ao = ao.result;
         all.multi_bounce = s.ao.multi_bounce;
-        all.end_delta = frame.light_order.delta_count;
-        all.end_light = static_cast<std::uint32_t>(frame.light_order.places.size());
+        all.end_delta = frame.lights.delta_count;
+        all.end_light = static_cast<std::uint32_t>(frame.lights.lights.size());
         const graph::Tex hdr = add_lighting(g, gbuffer, all);
         add_sky(g, gbuffer.depth, hdr);
-        AovInputs inputs{gbuffer,           hdr,   ao.raw,    ao.result,
-                         s.ao.multi_bounce, draws, occluders, frame.scene.geometry(),
-                         frame.light_order};
+        AovInputs inputs{
+            gbuffer, hdr, ao.raw, ao.result, s.ao.multi_bounce, draws, occluders, frame.scene.geometry(), frame.lights};
         inputs.visibility = visibility;
-        inputs.shadow_image = [gbuffer = gbuffer, shadows = shadows, visibility = visibility, lights = frame.lights,
+        inputs.shadow_image = [gbuffer = gbuffer, shadows = shadows, visibility = visibility,
+                               lights = frame.lights.lights,
                                settings = s.shadow](graph::Graph& graph, std::uint32_t light, std::uint32_t shown,
                                                     const std::string& pass) {
             return add_shadow_image(graph, gbuffer, shadows, lights, visibility, settings, light, shown, pass);
@@ -73,7 +71,7 @@ BufferLook look_of(const AovInfo& info, float scene_size)
 ShownBuffer show_buffer(graph::Graph& g, const Inset& buffer, const SceneImages& scene, const FrameContext& frame,
                         graph::Tex picture, const PictureArea& area, graph::Load load, const std::string& pass)
 {
-    const AovImage image = add_aov(g, buffer.aov, scene.aov_inputs, exposure_scale(frame.settings.exposure));
+    const AovImage image = add_aov(g, buffer.aov, scene.aov_inputs, frame.view.exposure);
     const BufferLook look = look_of(*image.info, frame.scene.bounds().diagonal());
     const graph::Buf statistics = add_buffer_statistics(g, image.values, look, buffer.view, pass);
     add_buffer_view(g, image.values, statistics, look, buffer.view, picture, area, load, pass);
@@ -82,12 +80,12 @@ ShownBuffer show_buffer(graph::Graph& g, const Inset& buffer, const SceneImages&
 
 void add_insets(graph::Graph& g, const SceneImages& scene, const FrameContext& frame, Frame& out)
 {
-    const uvec2 size = frame.insets.size;
-    const auto count = static_cast<std::uint32_t>(frame.insets.buffers.size());
-    if (count == 0) return;
+    if (!frame.insets || frame.insets->buffers.empty()) return;
+    const uvec2 size = frame.insets->size;
+    const auto count = static_cast<std::uint32_t>(frame.insets->buffers.size());
     out.insets = g.texture("insets", {gpu::Format::rgba8_srgb, count * size.x, size.y});
     for (std::uint32_t i = 0; i < count; ++i) {
-        out.shown.push_back(show_buffer(g, frame.insets.buffers[i], scene, frame, out.insets, {{i * size.x, 0}, size},
+        out.shown.push_back(show_buffer(g, frame.insets->buffers[i], scene, frame, out.insets, {{i * size.x, 0}, size},
                                         i == 0 ? graph::Load::clear : graph::Load::keep, fmt::format("inset.{}", i)));
     }
 }
@@ -106,7 +104,6 @@ std::unique_ptr<Renderer> make_renderer(RenderPath path)
 Frame build_frame(graph::Graph& g, const Renderer& renderer, const FrameContext& frame, std::span<const Aov> aovs)
 {
     const Settings& s = frame.settings;
-    const float exposure = exposure_scale(s.exposure);
     SceneImages scene = renderer.add_passes(g, frame);
 
     Frame out;
@@ -116,12 +113,13 @@ Frame build_frame(graph::Graph& g, const Renderer& renderer, const FrameContext&
     scene.aov_inputs.absent_images = frame.absent_images;
     out.hdr = scene.hdr;
     out.draws = scene.aov_inputs.draws;
-    for (const Aov& aov : aovs) out.aovs.push_back(add_aov(g, aov, scene.aov_inputs, exposure));
+    for (const Aov& aov : aovs) out.aovs.push_back(add_aov(g, aov, scene.aov_inputs, frame.view.exposure));
     if (!s.debug.view.empty()) {
-        out.picture = g.texture("buffer_view", {gpu::Format::rgba8_srgb, frame.size.x, frame.size.y});
-        const Inset whole{parse_aov(s.debug.view, frame.lights), s.buffer_view};
-        out.shown.push_back(show_buffer(g, whole, scene, frame, out.picture, {uvec2(0), frame.size},
-                                        graph::Load::discard, "buffer_view"));
+        const uvec2 size = frame.view.output_size;
+        out.picture = g.texture("buffer_view", {gpu::Format::rgba8_srgb, size.x, size.y});
+        const Inset whole{parse_aov(s.debug.view, frame.lights.lights), s.buffer_view};
+        out.shown.push_back(
+            show_buffer(g, whole, scene, frame, out.picture, {uvec2(0), size}, graph::Load::discard, "buffer_view"));
     }
     add_insets(g, scene, frame, out);
     if (s.debug.wireframe && frame.can_draw_lines)

@@ -1,9 +1,11 @@
 #pragma once
 // The frame: which techniques, in which order.
 
+#include "renderer/frame_request.hpp"
 #include "renderer/gpu_scene.hpp"
 #include "renderer/graph/graph.hpp"
-#include "renderer/settings.hpp"
+#include "renderer/scene/light_set.hpp"
+#include "renderer/scene/view.hpp"
 #include "renderer/techniques/shadow/shadow_maps.hpp"
 
 #include <memory>
@@ -12,29 +14,16 @@
 
 namespace atrium {
 
-/// A buffer shown small beside the picture, with a look of its own.
-struct Inset {
-    Aov aov;
-    BufferViewSettings view;
-};
-
-struct Insets {
-    std::vector<Inset> buffers;
-    uvec2 size{0}; ///< of each, pixels
-};
-
 /// What a frame is made of; everything a technique may ask for.
 struct FrameContext {
     const Settings& settings;
     const GpuScene& scene;
-    uvec2 size{0};
-    Camera camera;
-    std::span<const Light> lights;
-    ShadowMaps* shadow_maps = nullptr; ///< null: lights cast no shadows
-    bool remember = false;             ///< FrameRequest::remember
-    LightOrder light_order;
-    bool can_draw_lines = true; ///< gpu::OptionalFeatures::lines
-    Insets insets;
+    const View& view;
+    const LightSet& lights;
+    ShadowMaps* shadow_maps = nullptr;     ///< null: lights cast no shadows
+    bool remember = false;                 ///< FrameRequest::remember
+    bool can_draw_lines = true;            ///< gpu::OptionalFeatures::lines
+    const Insets* insets = nullptr;        ///< null: none
     std::optional<std::uint32_t> outlined; ///< a material
     bool absent_images = false;            ///< AovInputs::absent_images
 };

@@ -3,6 +3,7 @@
 // program's affair.
 
 #include "renderer/graph/graph.hpp"
+#include "renderer/picture_slot.hpp"
 #include "shaders/shared/ui.h"
 
 #include <cstdint>
@@ -25,9 +26,6 @@ struct UiDraws {
     std::vector<std::uint32_t> indices;
     std::vector<UiCommand> commands;
 };
-
-/// A window shows one picture, or, left of a divider, another one beside it.
-enum class PictureSlot : std::uint8_t { main, other };
 
 /// What is in a window. Its last pictures are the graph's, which keeps them as long as the program runs.
 class Ui {

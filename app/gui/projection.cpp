@@ -1,27 +1,23 @@
 #include "app/gui/projection.hpp"
 
+#include "renderer/scene/view.hpp"
+
 #include <algorithm>
-#include <cmath>
 
 namespace atrium::gui {
 namespace {
 
 constexpr float nearest = 0.05f; // m: what is nearer has no place in the picture
 
-vec3 row(const mat4& m, int i)
-{
-    return {m[0][i], m[1][i], m[2][i]};
-}
-
 } // namespace
 
 Projection::Projection(const Camera& camera, vec2 display)
-    : eye(camera.eye), middle_(0.5f * display), focal_(0.5f * display.y / std::tan(glm::radians(0.5f * camera.fov)))
+    : eye(camera.eye), middle_(0.5f * display), focal_(0.5f * display.y / half_tangent(camera))
 {
-    const mat4 view = view_from_world(camera);
-    right = row(view, 0);
-    up = row(view, 1);
-    forward = -row(view, 2);
+    const ViewAxes axes = axes_of(camera);
+    right = axes.right;
+    up = axes.up;
+    forward = axes.forward;
 }
 
 float Projection::depth(const vec3& point) const

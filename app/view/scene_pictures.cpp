@@ -122,6 +122,7 @@ std::optional<std::string> ScenePictures::draw_side(PictureSlot slot, const Look
 
     FrameRequest request = wanted_frame(settings, glm::max(uvec2(share * vec2(look.pixels)), uvec2(16)));
     request.previous_camera = before;
+    request.frame_index = kept.frames++;
     request.want_picture = false;
     request.keep_picture = slot;
     request.outlined = look.outlined;
@@ -131,7 +132,9 @@ std::optional<std::string> ScenePictures::draw_side(PictureSlot slot, const Look
     request.want_statistics = share == 1;
     request.remember = share < 1; // what stands is drawn as `render` draws it, whatever was before
     const bool first = main && kept.state.empty();
-    kept = {wanted, look.pixels, share};
+    kept.state = wanted;
+    kept.pixels = look.pixels;
+    kept.share = share;
     FrameResult frame;
     try {
         frame = engine_.render(request);

@@ -57,9 +57,10 @@ public:
 
 private:
     struct Kept {
-        std::string state; ///< state_text() of what it shows
-        uvec2 pixels{0};   ///< of the window for which it was drawn
-        float share = 0;   ///< of them along each side
+        std::string state;        ///< state_text() of what it shows
+        uvec2 pixels{0};          ///< of the window for which it was drawn
+        float share = 0;          ///< of them along each side
+        std::uint64_t frames = 0; ///< drawn so far
     };
     [[nodiscard]] FrameRequest wanted_frame(const Settings& settings, uvec2 size) const;
     [[nodiscard]] Insets wanted_insets(const Look& look) const;

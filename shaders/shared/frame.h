@@ -8,8 +8,8 @@ SHARED_BEGIN
 const uint flag_normal_mapping = 1, flag_specular_mapping = 2, flag_alpha_lod0 = 4;
 
 struct FrameConstants {
-    mat4 clip_from_world;      // reversed infinite depth, unjittered
-    mat4 prev_clip_from_world; // of the frame before
+    mat4 clip_from_world;      // reversed infinite depth, with this frame's jitter
+    mat4 prev_clip_from_world; // of the camera in the frame before, with the same jitter
     vec3 eye;                  // m, world
     float near;                // m; depth = near / distance along the view axis
     vec3 right;                // unit camera axes in the world
@@ -27,12 +27,14 @@ struct FrameConstants {
     vec3 sky_zenith;           // radiance x exposure
     vec3 sky_horizon;
     vec3 sky_ground;
+    vec2 jitter;               // is in both matrices: added to every position, in normalised device coordinates
+    vec2 corner;               // the picture's upper left in those that the camera has without it
     GpuLight lights[light_capacity];
 };
 
 SHARED_END
 #ifdef __cplusplus
 static_assert(offsetof(atrium::shared::FrameConstants, eye) == 128 && offsetof(atrium::shared::FrameConstants, size) == 192);
-static_assert(offsetof(atrium::shared::FrameConstants, lights) == 276);
+static_assert(offsetof(atrium::shared::FrameConstants, lights) == 292);
 #endif
 #endif

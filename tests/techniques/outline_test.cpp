@@ -2,6 +2,7 @@
 
 #include "tests/examples/outline.hpp"
 
+#include "renderer/frame_constants.hpp"
 #include "tests/rig/frame_rig.hpp"
 #include "tests/truth/shapes.hpp"
 
@@ -21,7 +22,9 @@ Image8 draw_outlined(rig::FrameRig& rig)
     Engine& engine = rig::engine();
     engine.set_frame_constants(rig.request);
     graph::Graph g;
-    const FrameContext context{rig.request.settings, engine.scene(), rig.request.size, {}};
+    const View view = make_view(describe_view(rig.request, engine.scene().bounds()));
+    const LightSet lights = make_light_set(rig.request.lights, 0);
+    const FrameContext context{rig.request.settings, engine.scene(), view, lights};
     const SceneImages scene = make_renderer(RenderPath::deferred)->add_passes(g, context);
     const graph::Tex picture = add_tonemap(g, scene.hdr, rig.request.settings.tonemap);
     const graph::Tex outlined = add_outline(g, scene.aov_inputs.gbuffer, picture, 1.0f);

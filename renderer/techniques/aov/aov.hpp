@@ -3,7 +3,7 @@
 
 #include "renderer/core/setting.hpp"
 #include "renderer/graph/graph.hpp"
-#include "renderer/scene/light.hpp"
+#include "renderer/scene/light_set.hpp"
 #include "renderer/techniques/culling/culling.hpp"
 #include "renderer/techniques/gbuffer/gbuffer.hpp"
 #include "renderer/techniques/lighting/lighting.hpp"
@@ -87,7 +87,7 @@ struct AovInputs {
     std::vector<DrawList> draws; ///< one after the other
     DrawList occluders;
     Geometry geometry;
-    LightOrder lights;
+    LightSet lights;
     graph::Tex visibility; ///< of lights; none: no light casts shadows
     /// Adds an image of a light's shadows, by the user's index and shared::show_…, in a pass of that name; an empty one
     /// where the light casts none.

@@ -56,20 +56,6 @@ shared::GpuLight to_gpu(const Light& light, float exposure)
     return out;
 }
 
-LightOrder order_lights(std::span<const Light> lights)
-{
-    LightOrder order;
-    order.places.resize(lights.size());
-    std::uint32_t next = 0;
-    for (const bool rects : {false, true}) {
-        for (std::size_t i = 0; i < lights.size(); ++i) {
-            if ((lights[i].type == LightType::rect) == rects) order.places[i] = next++;
-        }
-        if (!rects) order.delta_count = next;
-    }
-    return order;
-}
-
 graph::Tex add_lighting(graph::Graph& g, const GBuffer& gb, const LightingTerms& terms)
 {
     graph::TexDesc desc = g.desc(gb.depth);

@@ -7,9 +7,7 @@
 #include "renderer/techniques/gbuffer/gbuffer.hpp"
 #include "shaders/shared/light.h"
 
-#include <span>
 #include <string>
-#include <vector>
 
 namespace atrium {
 
@@ -30,13 +28,6 @@ void describe(V& v, AmbientSettings& s)
 
 /// A light as shaders want it: unit direction, cosines instead of angles, colour x strength x exposure.
 [[nodiscard]] shared::GpuLight to_gpu(const Light& light, float exposure);
-
-/// Where a user's lights stand in the GPU's table: those without area first, rectangles behind.
-struct LightOrder {
-    std::vector<std::uint32_t> places; ///< by user's index
-    std::uint32_t delta_count = 0;     ///< suns, spots and points
-};
-[[nodiscard]] LightOrder order_lights(std::span<const Light> lights);
 
 /// What of the light to add up. `scale` undoes the exposure for AOVs.
 struct LightingTerms {

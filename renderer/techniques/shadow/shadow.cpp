@@ -72,14 +72,9 @@ std::uint32_t shader_filter(ShadowFilter filter)
 
 } // namespace
 
-std::vector<std::uint32_t> shadowed_lights(std::span<const Light> lights, const ShadowSettings& s)
+std::size_t most_shadowed_lights(const ShadowSettings& s)
 {
-    std::vector<std::uint32_t> out;
-    if (s.filter == ShadowFilter::off) return out;
-    for (std::uint32_t i = 0; i < lights.size() && out.size() < static_cast<std::size_t>(s.max_lights); ++i) {
-        if (lights[i].shadow) out.push_back(i);
-    }
-    return out;
+    return s.filter == ShadowFilter::off ? 0 : static_cast<std::size_t>(s.max_lights);
 }
 
 void add_visibility(graph::Graph& g, const GBuffer& gb, const ShadowMapSet& set, const ShadowMap& map,

@@ -71,12 +71,12 @@ void describe(V& v, ShadowSettings& s)
       Range{1, 1024}, "");
 }
 
-/// Indices of the lights that cast shadows, in order: their places among the layers of visibility.
-[[nodiscard]] std::vector<std::uint32_t> shadowed_lights(std::span<const Light> lights, const ShadowSettings& s);
+/// How many lights may cast shadows, for make_light_set().
+[[nodiscard]] std::size_t most_shadowed_lights(const ShadowSettings& s);
 
 /// A light's shadow map in a frame's graph.
 struct ShadowMap {
-    std::uint32_t light = 0; ///< user's index
+    std::uint32_t light = 0; ///< by its index in the LightSet
     graph::Tex map;          ///< D32, tiles side by side
     graph::Buf ranges;       ///< nearest and farthest depth under cells of texels
     std::uint32_t side = 0, cells = 0;

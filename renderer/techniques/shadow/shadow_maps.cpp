@@ -305,18 +305,19 @@ ShadowMap describe_map(std::uint32_t light, const LightFaces& faces, std::uint32
 
 } // namespace
 
-ShadowMapSet ShadowMaps::add(graph::Graph& g, const ShadowCasters& casters, std::span<const Light> lights,
-                             const Camera& camera, float aspect, const ShadowSettings& s)
+ShadowMapSet ShadowMaps::add(graph::Graph& g, const ShadowCasters& casters, const LightSet& set, const View& view,
+                             const ShadowSettings& s)
 {
-    const std::vector<std::uint32_t> shadowed = shadowed_lights(lights, s);
+    const std::span<const Light> lights = set.lights;
+    const std::vector<std::uint32_t>& shadowed = set.shadowed;
     ShadowMapSet out;
     if (shadowed.empty()) return out;
     const std::uint32_t side = affordable_side(lights, shadowed, s, device_.report().widest_image);
     tell(smaller_or_fewer(lights, s, side));
     std::vector<LightFaces> all;
     for (const std::uint32_t i : shadowed)
-        all.push_back(
-            light_faces(lights[i], casters.bounds, {camera, aspect, s.cascades, side}, extent_of(lights[i], s)));
+        all.push_back(light_faces(lights[i], casters.bounds, {view.camera, view.aspect, s.cascades, side},
+                                  extent_of(lights[i], s)));
     write_faces(all);
     write_samples(s);
     out.faces = g.import("shadow.faces", faces_);
@@ -329,7 +330,7 @@ ShadowMapSet ShadowMaps::add(graph::Graph& g, const ShadowCasters& casters, std:
         const LightFaces& faces = all[k];
         const auto count = static_cast<std::uint32_t>(faces.faces.size());
         const std::string name = fmt::format("shadow.{}", shadowed[k]);
-        const std::string key = fmt::format("shadow map {:x}", shadowed[k]); // of the light, whatever its index
+        const std::string key = fmt::format("shadow map {:x}", set.keys[shadowed[k]]); // whatever its index
         ShadowMap map = describe_map(shadowed[k], faces, side, first_face);
         map.map = g.persistent(name, {gpu::Format::depth32, side * count, side}, {graph::Owner::scene, key});
         map.ranges = g.persistent(name + ".ranges", range_bytes(side, count), {graph::Owner::scene, key + " ranges"});
@@ -349,8 +350,8 @@ ShadowMapSet ShadowMaps::add(graph::Graph& g, const ShadowCasters& casters, std:
 }
 
 graph::Tex ShadowMaps::add_reference(graph::Graph& g, const GBuffer& gb, const ShadowCasters& casters,
-                                     std::span<const Light> lights, const Camera& camera, float aspect,
-                                     const ShadowMapSet& set, const ShadowSettings& s)
+                                     const LightSet& lights, const View& view, const ShadowMapSet& set,
+                                     const ShadowSettings& s)
 {
     if (set.maps.empty()) return {};
     const auto light_count = static_cast<std::uint32_t>(set.maps.size());
@@ -368,11 +369,11 @@ graph::Tex ShadowMaps::add_reference(graph::Graph& g, const GBuffer& gb, const S
     moved_set.faces = g.import("shadow.reference.faces", reference_faces_);
     for (std::uint32_t k = 0; k < light_count; ++k) {
         const std::uint32_t index = set.maps[k].light, side = set.maps[k].side;
-        const Light& light = lights[index];
+        const Light& light = lights.lights[index];
         const std::string name = fmt::format("shadow.{}.reference", index);
         const graph::Tex map_image = g.texture(name, {gpu::Format::depth32, side * set.maps[k].face_count, side});
         const float extent = light_extent(light, s.softness);
-        const CascadeFit fit{camera, aspect, s.cascades, side};
+        const CascadeFit fit{view.camera, view.aspect, s.cascades, side};
         std::vector<std::uint32_t> every(set.maps[k].face_count);
         std::iota(every.begin(), every.end(), 0u);
         graph::Buf commands;

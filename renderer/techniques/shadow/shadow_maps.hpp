@@ -1,6 +1,8 @@
 #pragma once
 // The maps themselves: drawn by the passes `shadow.L`, kept from frame to frame.
 
+#include "renderer/scene/light_set.hpp"
+#include "renderer/scene/view.hpp"
 #include "renderer/techniques/culling/culling.hpp"
 #include "renderer/techniques/shadow/shadow.hpp"
 
@@ -22,13 +24,13 @@ public:
 
     /// Brings the maps of the lights that cast shadows into a frame's graph, which must run before the next call. Draws
     /// those faces that are not as they were drawn last: passes `shadow.L.cull`, `shadow.L`, `shadow.L.ranges.N`.
-    [[nodiscard]] ShadowMapSet add(graph::Graph& g, const ShadowCasters& casters, std::span<const Light> lights,
-                                   const Camera& camera, float aspect, const ShadowSettings& s);
+    [[nodiscard]] ShadowMapSet add(graph::Graph& g, const ShadowCasters& casters, const LightSet& lights,
+                                   const View& view, const ShadowSettings& s);
     /// Visibility as the mean of hard shadows from many points of each light of the set: a map for each, drawn and
     /// looked at in turn. Passes `shadow.L.reference`, `visibility.L`.
     [[nodiscard]] graph::Tex add_reference(graph::Graph& g, const GBuffer& gb, const ShadowCasters& casters,
-                                           std::span<const Light> lights, const Camera& camera, float aspect,
-                                           const ShadowMapSet& set, const ShadowSettings& s);
+                                           const LightSet& lights, const View& view, const ShadowMapSet& set,
+                                           const ShadowSettings& s);
 
 private:
     void tell(const std::string& text);

@@ -14,7 +14,7 @@ const float no_surface = 0.0; // in place of a distance
 /// Through the centre of a full-size pixel, with length 1 along the view axis.
 vec3 ray_of(ivec2 pixel)
 {
-    vec2 ndc = vec2(2.0, -2.0) * (vec2(pixel) + 0.5) * frame.inv_size + vec2(-1.0, 1.0);
+    vec2 ndc = vec2(2.0, -2.0) * (vec2(pixel) + 0.5) * frame.inv_size + frame.corner;
     return vec3(ndc * vec2(frame.tan_x, frame.tan_y), -1.0);
 }
 

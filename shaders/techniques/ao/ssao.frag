@@ -42,7 +42,7 @@ void main()
         vec3 s = p + push.radius * (x.x * t + x.y * b + x.z * n);
         if (s.z >= -frame.near) continue;
         vec2 ndc = s.xy / (-s.z * vec2(frame.tan_x, frame.tan_y));
-        vec2 at = (vec2(0.5, -0.5) * ndc + 0.5) * frame.size;
+        vec2 at = vec2(0.5, -0.5) * (ndc - frame.corner) * frame.size;
         if (any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, frame.size))) continue;
         float scene_depth = fetch_depth(ivec2(at));
         if (scene_depth <= 0.0) continue;

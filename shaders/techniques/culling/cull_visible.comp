@@ -21,8 +21,8 @@ uint occlusion_of(ClusterSphere s)
 {
     vec3 centre = vec3(dot(s.d, frame.right), dot(s.d, frame.up), dot(s.d, frame.forward));
     if (centre.z - s.radius <= frame.near) return hides_part;
-    vec2 x = tangent_range(centre.x, centre.z, s.radius) / frame.tan_x;
-    vec2 y = tangent_range(centre.y, centre.z, s.radius) / frame.tan_y;
+    vec2 x = tangent_range(centre.x, centre.z, s.radius) / frame.tan_x + frame.jitter.x;
+    vec2 y = tangent_range(centre.y, centre.z, s.radius) / frame.tan_y + frame.jitter.y;
     vec2 low = (vec2(x.x, -y.y) * 0.5 + 0.5) * frame.size, high = (vec2(x.y, -y.x) * 0.5 + 0.5) * frame.size;
     return occlusion(push.levels, low, high, frame.near / (centre.z - s.radius), frame.near / (centre.z + s.radius));
 }

@@ -13,8 +13,8 @@ layout(PASS_BUFFER(0), scalar) writeonly buffer Commands { DrawCommand commands[
 bool outside_frustum(ClusterSphere s)
 {
     float z = dot(s.d, frame.forward);
-    vec2 side = abs(vec2(dot(s.d, frame.right), dot(s.d, frame.up)));
     vec2 tangent = vec2(frame.tan_x, frame.tan_y);
+    vec2 side = abs(vec2(dot(s.d, frame.right), dot(s.d, frame.up)) + z * tangent * frame.jitter);
     return z + s.radius < frame.near || any(greaterThan(side - z * tangent, s.radius * sqrt(1.0 + tangent * tangent)));
 }
 

@@ -1,0 +1,53 @@
+#pragma once
+// What a frame is asked for: all that one frame is drawn from, beside the scene.
+
+#include "renderer/gpu/timers.hpp"
+#include "renderer/picture_slot.hpp"
+#include "renderer/scene/camera.hpp"
+#include "renderer/scene/light.hpp"
+#include "renderer/scene/material_override.hpp"
+#include "renderer/settings.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace atrium {
+
+/// A buffer shown small beside the picture, with a look of its own.
+struct Inset {
+    Aov aov;
+    BufferViewSettings view;
+};
+
+struct Insets {
+    std::vector<Inset> buffers;
+    uvec2 size{0}; ///< of each, pixels
+};
+
+struct FrameRequest {
+    uvec2 size{1280, 720};
+    Camera camera;
+    Camera previous_camera; ///< of the frame before, for motion vectors
+    vec2 jitter{0};         ///< View::jitter
+    std::uint64_t frame_index = 0;
+    double time = 0, time_step = 0; ///< s; since the frame before
+    bool cut = false;               ///< it does not go on from the frame before
+    std::vector<Light> lights;      ///< at most max_lights, named
+    Settings settings;
+    std::vector<MaterialOverride> materials; ///< after those that the scene was loaded with
+    std::optional<std::uint32_t> outlined;   ///< material with a line around its pixels in the picture
+    std::vector<Aov> aovs;
+    bool want_picture = true, want_hdr = false;
+    std::optional<PictureSlot> keep_picture; ///< on the device, for show(); the insets too
+    Insets insets;                           ///< at most max_insets
+    bool keep_buffers = false;               ///< values of the buffers shown, for buffer_value()
+    bool want_graph = false;                 ///< what the graph was
+    bool want_statistics = false;            ///< triangles and material changes, read back from the device
+    /// Begin with what the frame before saw: faster while cameras move little. Where surfaces lie at the same depth, it
+    /// can then depend on the frame before which of them is seen.
+    bool remember = false;
+    gpu::TimerMode timers = gpu::TimerMode::overlapped;
+};
+
+} // namespace atrium
