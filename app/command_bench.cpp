@@ -57,8 +57,8 @@ std::string floor_of(const std::string& name)
     if (name.starts_with("floor.")) return "";
     if (name.starts_with("gbuffer") || name == "cull+gbuffer") return "floor.gbuffer";
     if (name == "lighting") return "floor.lighting";
-    if (name.starts_with("ao")) return "floor.ao_taps";
-    if (name.starts_with("visibility")) return "floor.shadow_taps";
+    if (name.starts_with("ao") || name.starts_with("sky.ao")) return "floor.ao_taps";
+    if (name.starts_with("visibility") || name.starts_with("sky.visibility")) return "floor.shadow_taps";
     if (name == "load") return "floor.copy";
     if (name == "parse") return "load";
     return "floor.t16";
@@ -172,6 +172,7 @@ nlohmann::ordered_json report(const Samples& samples, const std::vector<std::str
 int run(const Options& o)
 {
     const SceneInput scene = read_scene_input(o.scene, o.frame);
+    tell_camera(scene, o.frame);
     const SettingChain chain(o.frame, scene);
     FrameRequest request = make_request(o.frame, scene, chain);
 

@@ -106,6 +106,7 @@ int run(const Options& o)
     }
     const auto start = std::chrono::steady_clock::now();
     const SceneInput scene = read_scene_input(o.scene, o.frame);
+    tell_camera(scene, o.frame);
     const SettingChain chain(o.frame, scene);
     FrameRequest request = make_request(o.frame, scene, chain);
     for (const AovOutput& aov : outputs.aovs()) request.aovs.push_back(parse_aov(aov.name, request.lights));

@@ -79,8 +79,12 @@ int run(const Options& o)
     WindowState state = read_state(state_file, start.message);
     read_keys(start);
     if (o.frame.size) state.place.size = ivec2(*o.frame.size);
-    const bool camera_given = !o.frame.camera.empty() || o.frame.eye || !o.frame.config.empty();
-    if (state.scene == start.scene.file && !camera_given) start.scene.frame.camera = state.camera;
+    const bool camera_given = !o.frame.camera.empty() || o.frame.eye || !o.frame.config.empty() ||
+                              o.frame.from != CameraFrom::anywhere;
+    if (state.scene == start.scene.file && !camera_given)
+        start.scene.frame.camera = state.camera;
+    else
+        tell_camera(scene, o.frame);
     start.bookmarks = state.bookmarks;
     start.recent = state.recent;
     start.settings_file = state.settings_file;

@@ -3,11 +3,16 @@
 #include "app/scene_input.hpp"
 
 #include "renderer/core/jobs.hpp"
+#include "renderer/core/log.hpp"
+#include "renderer/scene/default_camera.hpp"
+
+#include <fmt/format.h>
 
 #include <atomic>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <span>
 
 namespace atrium::app {
 namespace {
@@ -41,14 +46,15 @@ void intersect(const vec3& origin, const vec3& d, const vec3& a, const vec3& b, 
     best = {t, det > 0};
 }
 
+/// `d` need not be a unit vector.
 bool ray_meets_sphere(const vec3& origin, const vec3& d, const Cluster& c)
 {
     const vec3 to = c.centre - origin;
-    const float along = glm::dot(to, d), r2 = c.radius * c.radius;
-    return glm::dot(to, to) - along * along <= r2 && along >= -c.radius;
+    const float along = glm::dot(to, d), d2 = glm::dot(d, d), r2 = c.radius * c.radius;
+    return (glm::dot(to, to) - r2) * d2 <= along * along && (along >= 0 || glm::dot(to, to) <= r2);
 }
 
-Hit cast(const BakeFile& bake, const vec3& origin, const vec3& d)
+void cast(const BakeFile& bake, std::span<const Cluster> clusters, const vec3& origin, const vec3& d, Hit& best)
 {
     const auto* vertices = bake.vertices().data();
     const auto* indices = bake.indices().data();
@@ -63,30 +69,105 @@ Hit cast(const BakeFile& bake, const vec3& origin, const vec3& d)
         std::memcpy(&p, vertices + std::size_t{i} * sizeof(Vertex), sizeof(p));
         return p;
     };
-    Hit best;
-    for (const Cluster& c : bake.scene().clusters) {
+    for (const Cluster& c : clusters) {
         if (!ray_meets_sphere(origin, d, c)) continue;
         for (std::size_t i = c.first_index; i + 2 < std::size_t{c.first_index} + c.index_count; i += 3) {
             intersect(origin, d, position(index(i)), position(index(i + 1)), position(index(i + 2)), best);
         }
     }
+}
+
+/// What of its bake an instance shows.
+struct Part {
+    std::span<const Cluster> clusters;
+    std::size_t first_vertex = 0, vertex_count = 0;
+    Bounds bounds;
+};
+
+Part part_of(const Scene& scene, const Instance& instance)
+{
+    if (!instance.mesh) return {scene.clusters, 0, scene.vertex_count, scene.bounds};
+    const Mesh& mesh = scene.meshes[*instance.mesh];
+    return {std::span(scene.clusters).subspan(mesh.first_cluster, mesh.cluster_count), mesh.first_vertex,
+            mesh.vertex_count, mesh.bounds};
+}
+
+Hit cast(const SceneInput& scene, const vec3& origin, const vec3& d)
+{
+    Hit best;
+    for (const Instance& instance : scene.instances) {
+        const BakeFile& bake = *scene.bakes[instance.bake];
+        const mat4 object_from_world = glm::inverse(instance.world_from_object);
+        Hit hit = best;
+        cast(bake, part_of(bake.scene(), instance).clusters, vec3(object_from_world * vec4(origin, 1)),
+             mat3(object_from_world) * d, hit);
+        if (hit.t >= best.t) continue;
+        best = hit;
+        if (glm::determinant(mat3(object_from_world)) < 0) best.front = !best.front;
+    }
     return best;
+}
+
+Bounds bounds_of(const SceneInput& scene)
+{
+    Bounds all;
+    for (const Instance& instance : scene.instances) {
+        const Bounds own = part_of(scene.bakes[instance.bake]->scene(), instance).bounds;
+        for (int corner = 0; corner < 8 && !own.empty(); ++corner) {
+            const vec3 p((corner & 1) != 0 ? own.max.x : own.min.x, (corner & 2) != 0 ? own.max.y : own.min.y,
+                         (corner & 4) != 0 ? own.max.z : own.min.z);
+            all.add(vec3(instance.world_from_object * vec4(p, 1)));
+        }
+    }
+    return all;
+}
+
+Camera outside_of(const SceneInput& scene, float fov, float aspect)
+{
+    std::vector<PointSet> sets;
+    for (const Instance& instance : scene.instances) {
+        const BakeFile& bake = *scene.bakes[instance.bake];
+        const Part part = part_of(bake.scene(), instance);
+        sets.push_back({bake.vertices().data() + part.first_vertex * sizeof(Vertex), sizeof(Vertex), part.vertex_count,
+                        instance.world_from_object});
+    }
+    return frame_points(sets, fov, aspect);
+}
+
+/// Whether the middle of the scene is a room: nothing stands close to it, and in most directions lies the front of a
+/// surface.
+bool is_room(const SceneInput& scene, const Bounds& bounds)
+{
+    std::atomic<int> fronts = 0, near_hits = 0;
+    parallel_for(ray_count, [&](std::size_t i) {
+        const Hit hit = cast(scene, bounds.centre(), direction(static_cast<int>(i)));
+        if (hit.front) ++fronts;
+        if (hit.t < free_distance * bounds.diagonal()) ++near_hits;
+    });
+    log_verbose(fmt::format("from the middle {} of {} rays meet the front of a surface, {} closer than {:.2g} m",
+                            fronts.load(), ray_count, near_hits.load(), free_distance * bounds.diagonal()));
+    return near_hits == 0 && static_cast<float>(fronts) >= enclosed_share * ray_count;
+}
+
+bool camera_is_given(const SceneInput& scene, const FrameOptions& o)
+{
+    return o.eye || !o.camera.empty() || scene.config.camera || !scene.file.cameras.empty();
 }
 
 } // namespace
 
-Camera find_camera(const BakeFile& bake, float fov, float aspect)
+void find_camera(SceneInput& scene, const FrameOptions& o)
 {
-    const Bounds& bounds = bake.scene().bounds;
-    if (bounds.empty() || bake.scene().vertex_count == 0) return frame_bounds(bounds, fov, aspect);
-    std::atomic<int> fronts = 0, near_hits = 0;
-    parallel_for(ray_count, [&](std::size_t i) {
-        const Hit hit = cast(bake, bounds.centre(), direction(static_cast<int>(i)));
-        if (hit.front) ++fronts;
-        if (hit.t < free_distance * bounds.diagonal()) ++near_hits;
-    });
-    const bool inside = near_hits == 0 && static_cast<float>(fronts) >= enclosed_share * ray_count;
-    return inside ? inside_bounds(bounds, fov) : frame_bounds(bounds, fov, aspect);
+    scene.found.reset();
+    if (camera_is_given(scene, o)) return;
+    const float fov = o.fov.value_or(Camera{}.fov);
+    const vec2 size(picture_size(o, scene));
+    const Bounds bounds = bounds_of(scene);
+    FoundCamera found;
+    found.inside = o.from == CameraFrom::inside ||
+                   (o.from == CameraFrom::anywhere && !bounds.empty() && is_room(scene, bounds));
+    found.camera = found.inside ? inside_bounds(bounds, fov) : outside_of(scene, fov, size.x / size.y);
+    scene.found = found;
 }
 
 } // namespace atrium::app

@@ -119,6 +119,14 @@ void add_frame_options(CLI::App& command, FrameOptions& o)
     eye->needs(target);
     target->needs(eye);
     command.add_option("--fov", o.fov, "vertical field of view, degrees (60)")->check(CLI::Range(1.0, 170.0));
+    const auto set_from = [&o](const std::string& text) {
+        o.from = text == "inside" ? CameraFrom::inside : CameraFrom::outside;
+    };
+    command
+        .add_option_function<std::string>("--from", set_from,
+                                          "where a camera that is not given stands: outside or inside the scene "
+                                          "(inside if its middle is a room)")
+        ->check(CLI::IsMember({"outside", "inside"}));
     command.add_option("--light", o.lights, "add a light: TYPE,key=value,… (docs/lights.md)")->allow_extra_args(false);
     command.add_flag("--no-lights", o.no_lights, "drop the scene's lights and the default sun");
     command.add_option("--set", o.set, "a setting: key=value (see `atrium settings`)")->allow_extra_args(false);

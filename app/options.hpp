@@ -22,11 +22,15 @@ struct SceneOptions {
     std::string bake_up = "y";
 };
 
+/// Where a camera that nobody gave may stand.
+enum class CameraFrom { anywhere, outside, inside };
+
 struct FrameOptions {
     std::optional<uvec2> size; ///< 1280x720 when not given
     std::string camera;
     std::optional<vec3> eye, target;
     std::optional<float> fov;
+    CameraFrom from = CameraFrom::anywhere;
     std::vector<std::string> lights;
     bool no_lights = false;
     std::vector<std::string> set; ///< "key=value"

@@ -4,6 +4,7 @@
 #include "app/obj_bake.hpp"
 #include "app/presets.hpp"
 #include "renderer/core/error.hpp"
+#include "renderer/core/log.hpp"
 #include "renderer/core/nearest_name.hpp"
 
 #include <fmt/format.h>
@@ -91,10 +92,13 @@ SceneInput read_scene_input(const SceneOptions& o, const FrameOptions& frame)
         instance.world_from_object = world_from_object(entry);
         in.instances.push_back(instance);
     }
+    find_camera(in, frame);
     return in;
 }
 
 SettingChain::SettingChain(const FrameOptions& o, const SceneInput& scene)
+    : default_view_(scene.found && !scene.found->inside && o.lights.empty() && !o.no_lights &&
+                    scene.file.lights.empty() && !scene.config.lights)
 {
     if (!o.preset.empty()) {
         for (SettingText& text : preset_settings(o.preset)) entries_.push_back({std::move(text), ExitCode::internal});
@@ -118,6 +122,7 @@ Settings SettingChain::apply(bool cpu_device) const
     describe(list, settings);
     if (cpu_device) list.apply_cpu_defaults();
     for (const Entry& e : entries_) list.set(e.text.key, e.text.value, e.code, e.text.where);
+    if (settings.sky.floor == SkyFloor::automatic && default_view_) settings.sky.floor = SkyFloor::on;
     return settings;
 }
 
@@ -134,9 +139,8 @@ std::vector<Light> collect_lights(const FrameOptions& o, const SceneInput& scene
     return lights;
 }
 
-Camera choose_camera(const FrameOptions& o, const SceneInput& scene, uvec2 size)
+Camera choose_camera(const FrameOptions& o, const SceneInput& scene)
 {
-    const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
     Camera camera;
     const auto& cameras = scene.file.cameras;
     if (o.eye) {
@@ -159,7 +163,7 @@ Camera choose_camera(const FrameOptions& o, const SceneInput& scene, uvec2 size)
     } else if (!cameras.empty()) {
         camera = cameras.front().second;
     } else {
-        camera = find_camera(*scene.bakes.front(), o.fov.value_or(camera.fov), aspect);
+        camera = scene.found.value().camera;
     }
     if (o.fov) camera.fov = *o.fov;
     if (camera.eye == camera.target) {
@@ -169,15 +173,26 @@ Camera choose_camera(const FrameOptions& o, const SceneInput& scene, uvec2 size)
     return camera;
 }
 
+uvec2 picture_size(const FrameOptions& o, const SceneInput& scene)
+{
+    return o.size.value_or(scene.config.size.value_or(uvec2(1280, 720)));
+}
+
+void tell_camera(const SceneInput& scene, const FrameOptions& o)
+{
+    if (scene.found && scene.found->inside && o.from == CameraFrom::anywhere)
+        log_info("the camera stands inside the scene, which is a room; --from outside shows it from outside");
+}
+
 FrameRequest make_request(const FrameOptions& o, const SceneInput& scene, const SettingChain& chain)
 {
     FrameRequest request;
     request.settings = chain.apply(false);
-    request.size = o.size.value_or(scene.config.size.value_or(uvec2(1280, 720)));
+    request.size = picture_size(o, scene);
     request.lights = collect_lights(o, scene);
     request.materials = scene.config.materials;
     if (!request.settings.debug.view.empty()) static_cast<void>(parse_aov(request.settings.debug.view, request.lights));
-    request.camera = request.previous_camera = choose_camera(o, scene, request.size);
+    request.camera = request.previous_camera = choose_camera(o, scene);
     return request;
 }
 

@@ -12,11 +12,18 @@
 
 namespace atrium::app {
 
+/// A camera for a scene that has none.
+struct FoundCamera {
+    Camera camera;
+    bool inside = false; ///< of the scene, else all of it is seen
+};
+
 struct SceneInput {
     std::vector<std::unique_ptr<BakeFile>> bakes; ///< the first is the scene's own
     std::vector<Instance> instances;
     SceneFile file;     ///< empty but for its bake when SCENE is no scene file
     FrameConfig config; ///< of --config
+    std::optional<FoundCamera> found; ///< where neither the options nor the scene give one
     [[nodiscard]] SceneDescription description() const;
 };
 
@@ -29,7 +36,8 @@ class SettingChain {
 public:
     /// Weakest first: defaults, the device's preset, --preset, scene file, --config, --set.
     SettingChain(const FrameOptions& o, const SceneInput& scene);
-    /// Fresh settings with the chain applied. Throws Error naming the nearest key, or the range.
+    /// Fresh settings with the chain applied; `sky.floor` is on where it is `auto` and camera and light are the
+    /// program's own. Throws Error naming the nearest key, or the range.
     [[nodiscard]] Settings apply(bool cpu_device) const;
 
 private:
@@ -38,6 +46,7 @@ private:
         ExitCode code;
     };
     std::vector<Entry> entries_;
+    bool default_view_ = false; ///< the scene from outside, under the default sun
 };
 
 /// Lights in order: the scene file's (or those of the picture given as --config), then --light; a sun when there are
@@ -46,7 +55,7 @@ private:
 
 /// --eye and --target, --camera, the picture's given as --config, the scene's first camera, or one found from the
 /// geometry.
-[[nodiscard]] Camera choose_camera(const FrameOptions& o, const SceneInput& scene, uvec2 size);
+[[nodiscard]] Camera choose_camera(const FrameOptions& o, const SceneInput& scene);
 
 /// A request with everything that the options and the scene say but the AOVs; settings still without a device's
 /// defaults, to find mistakes before a device is touched.
@@ -65,7 +74,13 @@ private:
 /// By its ending.
 [[nodiscard]] bool is_obj(const std::filesystem::path& scene);
 
-/// A camera for a scene that names none: inside when the middle is free and mostly enclosed.
-[[nodiscard]] Camera find_camera(const BakeFile& bake, float fov, float aspect);
+/// Finds the scene's camera where none is given: inside where its middle is free and mostly enclosed, else all of it is
+/// framed; or where `--from` says.
+void find_camera(SceneInput& scene, const FrameOptions& o);
+/// Says so where the camera that was found stands inside, and how to get out.
+void tell_camera(const SceneInput& scene, const FrameOptions& o);
+
+/// --size, the picture's given as --config, or 1280x720.
+[[nodiscard]] uvec2 picture_size(const FrameOptions& o, const SceneInput& scene);
 
 } // namespace atrium::app

@@ -2,6 +2,7 @@
 
 #include "renderer/frame.hpp"
 
+#include "renderer/surroundings.hpp"
 #include "renderer/techniques/material_outline/material_outline.hpp"
 #include "renderer/techniques/wireframe/wireframe.hpp"
 
@@ -45,7 +46,7 @@ public:
         all.end_delta = frame.lights.delta_count;
         all.end_light = static_cast<std::uint32_t>(frame.lights.lights.size());
         const graph::Tex hdr = add_lighting(g, gbuffer, all);
-        add_sky(g, gbuffer.depth, hdr);
+        add_surroundings(g, frame, gbuffer, shadows, hdr);
         AovInputs inputs{
             gbuffer, hdr, ao.raw, ao.result, s.ao.multi_bounce, draws, occluders, frame.scene.geometry(), frame.lights};
         inputs.visibility = visibility;

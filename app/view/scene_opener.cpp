@@ -17,6 +17,7 @@ SceneOpener::SceneOpener(Engine& engine, const SceneOptions& options, const Fram
 {
     frame_.size = frame.size;
     frame_.fov = frame.fov;
+    frame_.from = frame.from;
     frame_.set = frame.set;
     frame_.preset = frame.preset;
     frame_.config = frame.config;
@@ -92,6 +93,8 @@ SceneStart SceneOpener::load(const Opening& opening)
     scene.config.camera.reset();
     scene.config.lights.reset();
     scene.config.materials.clear();
+    find_camera(scene, frame_);
+    tell_camera(scene, frame_);
     const SettingChain chain(frame_, scene);
     FrameRequest frame = make_request(frame_, scene, chain);
     frame.settings = chain.apply(engine_.device().report().is_cpu);

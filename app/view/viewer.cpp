@@ -11,6 +11,7 @@
 #include "renderer/core/atomic_file.hpp"
 #include "renderer/core/error.hpp"
 #include "renderer/core/log.hpp"
+#include "renderer/scene/default_camera.hpp"
 
 #include <fmt/format.h>
 #include <imgui/imgui.h>

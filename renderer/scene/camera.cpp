@@ -87,55 +87,10 @@ mat4 clip_from_view(float fov_degrees, float aspect, float near)
     return m;
 }
 
-Camera frame_bounds(const Bounds& bounds, float fov, float aspect)
-{
-    Camera camera;
-    camera.fov = fov;
-    if (bounds.empty()) return camera;
-
-    // From 30 degrees above, and 30 degrees to the side so that two faces of a block are seen.
-    const double above = radians(30), aside = radians(30);
-    const dvec3 away(std::cos(above) * std::sin(aside), std::sin(above), std::cos(above) * std::cos(aside));
-    const dvec3 centre(bounds.centre());
-    camera.eye = vec3(centre + away);
-    camera.target = vec3(centre);
-    const Axes a = axes_of({vec3(away), vec3(0), fov});
-
-    // The smallest distance from which all eight corners lie within the frustum.
-    const double tan_y = std::tan(0.5 * radians(fov)), tan_x = tan_y * static_cast<double>(aspect);
-    double distance = 0;
-    for (int corner = 0; corner < 8; ++corner) {
-        const dvec3 p =
-            dvec3((corner & 1) != 0 ? bounds.max.x : bounds.min.x, (corner & 2) != 0 ? bounds.max.y : bounds.min.y,
-                  (corner & 4) != 0 ? bounds.max.z : bounds.min.z) -
-            centre;
-        const double needed = std::max(std::abs(glm::dot(p, a.right)) / tan_x, std::abs(glm::dot(p, a.up)) / tan_y);
-        distance = std::max(distance, needed - glm::dot(p, a.forward));
-    }
-    constexpr double margin = 1.05, least = 0.01; // least: a scene of one point
-    camera.eye = vec3(centre + away * std::max(distance * margin, least));
-    return camera;
-}
-
-Camera inside_bounds(const Bounds& bounds, float fov)
-{
-    Camera camera;
-    camera.fov = fov;
-    if (bounds.empty()) return camera;
-
-    // A third of the height shows floor and ceiling; a person's eye height where that is more and the room allows it.
-    const vec3 extent = bounds.extent();
-    const float height = std::max(extent.y / 3.0f, std::min(1.7f, 0.6f * extent.y));
-    camera.eye = bounds.centre();
-    camera.eye.y = bounds.min.y + height;
-    const float reach = std::max({0.5f * extent.x, 0.5f * extent.z, 0.01f});
-    camera.target = camera.eye + (extent.x > extent.z ? vec3(reach, 0, 0) : vec3(0, 0, -reach));
-    return camera;
-}
-
 float default_near(const Bounds& bounds)
 {
-    return std::clamp(bounds.diagonal() / 20000.0f, 0.001f, 0.1f);
+    const float diagonal = bounds.diagonal(), near = std::clamp(diagonal / 20000.0f, 0.001f, 0.1f);
+    return diagonal > 0 ? std::min(near, 0.1f * diagonal) : near;
 }
 
 } // namespace atrium

@@ -30,11 +30,7 @@ void check_camera(const Camera& camera, ExitCode code, std::string_view where);
 /// Clip y points up (drawn with a negative viewport height).
 [[nodiscard]] mat4 clip_from_view(float fov_degrees, float aspect, float near);
 
-/// A camera for a scene that names none: inside where the middle of the bounds is free and mostly enclosed, else the
-/// whole scene framed from 30 degrees above. `enclosed` is decided by the caller (it needs the geometry).
-[[nodiscard]] Camera frame_bounds(const Bounds& bounds, float fov, float aspect);
-[[nodiscard]] Camera inside_bounds(const Bounds& bounds, float fov);
-/// diagonal / 20000, between 1 mm and 0.1 m.
+/// diagonal / 20000, between 1 mm and 0.1 m; of scenes under a centimetre a tenth of the diagonal.
 [[nodiscard]] float default_near(const Bounds& bounds);
 
 } // namespace atrium

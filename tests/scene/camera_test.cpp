@@ -1,10 +1,14 @@
 #include "renderer/scene/camera.hpp"
+#include "renderer/scene/default_camera.hpp"
 #include "tests/core/expect_error.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace atrium {
 namespace {
@@ -86,26 +90,87 @@ Bounds box(const vec3& min, const vec3& max)
     return b;
 }
 
-TEST(camera, framing_shows_the_whole_scene_tightly_from_30_degrees_above)
+/// What points take up of the picture, each side from -1 to 1.
+struct Frame {
+    vec2 low{1e9f}, high{-1e9f};
+    float nearest = 1e9f; ///< m along the view axis
+};
+
+Frame projected(const Camera& camera, float aspect, std::span<const vec3> points)
 {
-    for (const Bounds& b : {box({-1, 0, -1}, {1, 2, 1}), box({10, -5, 0}, {60, -4, 1}), box({0, 0, 0}, {1, 80, 2})}) {
-        for (const float aspect : {16.0f / 9.0f, 0.5f}) {
-            const Camera camera = frame_bounds(b, 60, aspect);
-            const vec3 d = glm::normalize(camera.target - camera.eye);
-            EXPECT_NEAR(std::asin(-d.y) * 180 / pi, 30, 1e-3f);
-            const mat4 view = view_from_world(camera), clip = clip_from_view(60, aspect, 0.01f);
-            float largest = 0;
-            for (int i = 0; i < 8; ++i) {
-                const vec3 corner((i & 1) != 0 ? b.max.x : b.min.x, (i & 2) != 0 ? b.max.y : b.min.y,
-                                  (i & 4) != 0 ? b.max.z : b.min.z);
-                const vec3 p = ndc(clip, view, corner);
-                EXPECT_GT(p.z, 0.0f); // in front
-                largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+    const mat4 view = view_from_world(camera), clip = clip_from_view(camera.fov, aspect, 1e-3f);
+    Frame frame;
+    for (const vec3& p : points) {
+        const vec2 at(ndc(clip, view, p));
+        frame.low = glm::min(frame.low, at);
+        frame.high = glm::max(frame.high, at);
+        frame.nearest = std::min(frame.nearest, -(view * vec4(p, 1)).z);
+    }
+    return frame;
+}
+
+/// In the middle both ways, and as large as the picture's tighter side says.
+void expect_framed(const Frame& frame, const std::string& what)
+{
+    EXPECT_NEAR(frame.low.x, -frame.high.x, 2e-3f) << what;
+    EXPECT_NEAR(frame.low.y, -frame.high.y, 2e-3f) << what;
+    EXPECT_NEAR(std::max(frame.high.x, frame.high.y), framed_share, 2e-3f) << what;
+    EXPECT_GT(frame.nearest, 0) << what;
+}
+
+std::vector<vec3> corners_of(const Bounds& b)
+{
+    std::vector<vec3> corners;
+    for (int i = 0; i < 8; ++i) {
+        corners.emplace_back((i & 1) != 0 ? b.max.x : b.min.x, (i & 2) != 0 ? b.max.y : b.min.y,
+                             (i & 4) != 0 ? b.max.z : b.min.z);
+    }
+    return corners;
+}
+
+TEST(camera, framing_fills_the_picture_from_30_degrees_above)
+{
+    static_assert(framed_share >= 0.8f && framed_share <= 0.9f);
+    const Bounds boxes[] = {box({-1, 0, -1}, {1, 2, 1}),       box({10, -5, 0}, {60, -4, 1}),
+                            box({0, 0, 0}, {1, 80, 2}),        box({-3, 1, -2}, {4, 1, 5}), // flat
+                            box({2, 0, 0}, {2, 3, 4}),         box({0, 0, 0}, {0, 0, 7}),   // a line
+                            box({0, 0, 0}, {1e-4f, 1e-4f, 1e-4f}), box({-2e4f, 0, -3e4f}, {2e4f, 100, 3e4f})};
+    for (const Bounds& b : boxes) {
+        for (const float aspect : {16.0f / 9.0f, 1.0f, 0.5f, 4.0f}) {
+            for (const float fov : {20.0f, 60.0f, 120.0f}) {
+                const Camera camera = frame_bounds(b, fov, aspect);
+                const vec3 d = glm::normalize(camera.target - camera.eye);
+                EXPECT_NEAR(std::asin(-d.y) * 180 / pi, 30, 2e-2f);
+                const Frame frame = projected(camera, aspect, corners_of(b));
+                const std::string what = std::to_string(&b - boxes) + " at " + std::to_string(aspect);
+                expect_framed(frame, what);
+                EXPECT_GT(frame.nearest, default_near(b)) << what;
             }
-            EXPECT_LT(largest, 1.0f);
-            EXPECT_GT(largest, 0.7f); // the nearest corner moves most with the margin of 5 %
         }
     }
+}
+
+TEST(camera, framing_looks_at_points_and_not_at_their_box)
+{
+    // A ball, of which the box is much larger to the eye; of two sets, one moved and scaled.
+    std::vector<vec3> ball;
+    for (int i = 0; i < 4000; ++i) {
+        const float y = 1 - 2 * (static_cast<float>(i) + 0.5f) / 4000, r = std::sqrt(1 - y * y);
+        const float angle = 2.39996323f * static_cast<float>(i);
+        ball.emplace_back(r * std::cos(angle), y, r * std::sin(angle));
+    }
+    mat4 moved(3);
+    moved[3] = vec4(7, 1, -2, 1);
+    const std::byte* first = std::as_bytes(std::span(ball)).data();
+    const PointSet sets[] = {{first, sizeof(vec3), ball.size()}, {first, sizeof(vec3), ball.size(), moved}};
+    for (const float aspect : {16.0f / 9.0f, 0.6f}) {
+        expect_framed(projected(frame_points({sets, 1}, 60, aspect), aspect, ball), "one ball");
+        std::vector<vec3> both = ball;
+        for (const vec3& p : ball) both.emplace_back(moved * vec4(p, 1));
+        expect_framed(projected(frame_points(sets, 60, aspect), aspect, both), "two balls");
+    }
+    ball[7].x = std::numeric_limits<float>::quiet_NaN(); // of a damaged file
+    EXPECT_NO_THROW(check_camera(frame_points({sets, 1}, 60, 1), ExitCode::internal, ""));
 }
 
 TEST(camera, inside_looks_along_the_longer_axis)
@@ -138,6 +203,7 @@ TEST(camera, near_plane_follows_the_scene)
     EXPECT_EQ(default_near(box({0, 0, 0}, {0.1f, 0, 0})), 0.001f);
     EXPECT_EQ(default_near(box({0, 0, 0}, {1e5f, 0, 0})), 0.1f);
     EXPECT_EQ(default_near({}), 0.001f);
+    EXPECT_FLOAT_EQ(default_near(box({0, 0, 0}, {1e-3f, 0, 0})), 1e-4f); // else nothing would be left to see
 }
 
 TEST(camera, check_refuses_what_cannot_be_drawn)

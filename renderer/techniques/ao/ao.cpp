@@ -19,7 +19,7 @@ std::vector<std::uint32_t> slices_and_steps(int samples)
 
 } // namespace
 
-AmbientOcclusion add_ao(graph::Graph& g, const GBuffer& gb, const AoSettings& s)
+AmbientOcclusion add_ao(graph::Graph& g, const GBuffer& gb, const AoSettings& s, const std::string& prefix)
 {
     if (s.method == AoMethod::off) return {};
     const std::uint32_t scale = s.half_resolution ? 2 : 1;
@@ -29,8 +29,8 @@ AmbientOcclusion add_ao(graph::Graph& g, const GBuffer& gb, const AoSettings& s)
                                   (full.height + scale - 1) / scale};
 
     AmbientOcclusion out;
-    out.raw = g.texture("ao.raw", reckoned);
-    graph::PassBuilder pass = g.raster("ao");
+    out.raw = g.texture(prefix + "ao.raw", reckoned);
+    graph::PassBuilder pass = g.raster(prefix + "ao");
     reads(pass, gb).writes(out.raw);
     if (s.method == AoMethod::gtao)
         pass.fullscreen("techniques/ao/gtao.frag", slices_and_steps(s.samples), push);
@@ -39,14 +39,14 @@ AmbientOcclusion add_ao(graph::Graph& g, const GBuffer& gb, const AoSettings& s)
 
     out.result = out.raw;
     if (s.blur) {
-        out.result = g.texture("ao.blurred", reckoned);
-        graph::PassBuilder blur = g.raster("ao.blur");
+        out.result = g.texture(prefix + "ao.blurred", reckoned);
+        graph::PassBuilder blur = g.raster(prefix + "ao.blur");
         reads(blur, gb).reads(out.raw).writes(out.result).fullscreen("techniques/ao/ao_blur.frag", {}, push);
     }
     if (s.half_resolution) {
         const graph::Tex halves = out.result;
-        out.result = g.texture("ao", {Format::r32_float, full.width, full.height});
-        graph::PassBuilder upsample = g.raster("ao.upsample");
+        out.result = g.texture(prefix + "ao", {Format::r32_float, full.width, full.height});
+        graph::PassBuilder upsample = g.raster(prefix + "ao.upsample");
         reads(upsample, gb).reads(halves).writes(out.result).fullscreen("techniques/ao/ao_upsample.frag", {}, push);
     }
     return out;

@@ -6,6 +6,7 @@
 #include "renderer/techniques/gbuffer/gbuffer.hpp"
 
 #include <array>
+#include <string>
 
 namespace atrium {
 
@@ -16,7 +17,7 @@ constexpr auto enum_names(AoMethod)
 }
 
 struct AoSettings {
-    AoMethod method = AoMethod::off;
+    AoMethod method = AoMethod::gtao;
     float radius = 0.5f;
     int samples = 18;
     float falloff = 0.2f;
@@ -38,7 +39,7 @@ void describe(V& v, AoSettings& s)
     v("power", s.power, "Exponent of the result; 1: as reckoned", Range{0.1f, 8}, "");
     v("thin", s.thin, "gtao: how thin things are taken to be; 0: endless along the view", Range{0, 4}, "");
     v("multi_bounce", s.multi_bounce, "Let light that bright surfaces give each other into corners");
-    v("half_resolution", s.half_resolution, "Reckon every other pixel of every other row");
+    v("half_resolution", s.half_resolution, "Reckon every other pixel of every other row", Cpu{true});
     v("blur", s.blur, "Average the noise of 4 x 4 pixels within a surface");
 }
 
@@ -48,7 +49,9 @@ struct AmbientOcclusion {
     graph::Tex result; ///< at full size
 };
 
-/// Reads  the G-buffer's depth and geometric normal.  Passes `ao`, `ao.blur`, `ao.upsample`. Sources: the shaders.
-[[nodiscard]] AmbientOcclusion add_ao(graph::Graph& g, const GBuffer& gb, const AoSettings& s);
+/// Reads  the G-buffer's depth and geometric normal.  Passes `ao`, `ao.blur`, `ao.upsample`, their names and those of
+/// their images behind `prefix`. Sources: the shaders.
+[[nodiscard]] AmbientOcclusion add_ao(graph::Graph& g, const GBuffer& gb, const AoSettings& s,
+                                      const std::string& prefix = "");
 
 } // namespace atrium

@@ -89,7 +89,8 @@ void add_visibility(graph::Graph& g, const GBuffer& gb, const ShadowMapSet& set,
                        static_cast<std::uint32_t>(s.blocker_samples),
                        static_cast<std::uint32_t>(s.samples),
                        shown,
-                       static_cast<std::uint32_t>(target.blurred)};
+                       static_cast<std::uint32_t>(target.blurred),
+                       static_cast<std::uint32_t>(target.beyond_scene)};
     shared::VisibilityPush push = push_of(map, light, s);
     push.weight = target.weight;
     const vec3 apart = light.position - target.centre.value_or(light.position);
@@ -109,27 +110,29 @@ void add_visibility(graph::Graph& g, const GBuffer& gb, const ShadowMapSet& set,
         });
 }
 
-graph::Tex create_visibility(graph::Graph& g, const GBuffer& gb, std::size_t lights)
+graph::Tex create_visibility(graph::Graph& g, const GBuffer& gb, std::size_t lights, const std::string& name)
 {
     graph::TexDesc desc = g.desc(gb.depth);
     desc.format = Format::r32_float;
     desc.layers = static_cast<std::uint32_t>(lights);
     desc.array = true;
-    return g.texture("visibility", desc);
+    return g.texture(name, desc);
 }
 
 graph::Tex add_all_visibility(graph::Graph& g, const GBuffer& gb, const ShadowMapSet& set,
-                              std::span<const Light> lights, const ShadowSettings& s)
+                              std::span<const Light> lights, const ShadowSettings& s, const ShadowReceivers& receivers)
 {
     if (set.maps.empty()) return {};
-    const graph::Tex visibility = create_visibility(g, gb, set.maps.size());
+    const std::string name = receivers.prefix + "visibility";
+    const graph::Tex visibility = create_visibility(g, gb, set.maps.size(), name);
     graph::TexDesc one_layer = g.desc(visibility);
     one_layer.layers = 1;
     one_layer.array = false;
     const bool blurred = s.filter == ShadowFilter::pcss && s.blur;
     for (std::uint32_t i = 0; i < set.maps.size(); ++i) {
         const ShadowMap& map = set.maps[i];
-        VisibilityTarget target{fmt::format("visibility.{}", map.light), visibility, i};
+        VisibilityTarget target{fmt::format("{}.{}", name, map.light), visibility, i};
+        target.beyond_scene = receivers.beyond_scene;
         if (blurred) {
             target.image = g.texture(target.pass + ".raw", one_layer);
             target.layer = 0;

@@ -104,6 +104,13 @@ struct VisibilityTarget {
     float weight = 1;
     std::optional<vec3> centre; ///< m, world: of the light that this one is a point of; it reaches as far
     bool blurred = false;       ///< written for a blur: 2 shared::blur_… are added
+    bool beyond_scene = false;  ///< ShadowReceivers
+};
+
+/// Which surfaces visibility is that of.
+struct ShadowReceivers {
+    std::string prefix;        ///< of the names of passes and images
+    bool beyond_scene = false; ///< they may lie farther from a sun than all that casts shadows
 };
 
 /// Reads  the G-buffer's depth and geometric normal, one map.  Writes  a layer of the target.
@@ -111,12 +118,14 @@ void add_visibility(graph::Graph& g, const GBuffer& gb, const ShadowMapSet& set,
                     const Light& light, const ShadowSettings& s, ShadowShown shown, const VisibilityTarget& target);
 
 /// An image (R32F) with a layer for each of so many lights.
-[[nodiscard]] graph::Tex create_visibility(graph::Graph& g, const GBuffer& gb, std::size_t lights);
+[[nodiscard]] graph::Tex create_visibility(graph::Graph& g, const GBuffer& gb, std::size_t lights,
+                                           const std::string& name = "visibility");
 
 /// Visibility of every light of the set: layer i of the image is that of maps[i]. Passes
 /// `visibility.L`, `visibility.L.blur`.
 [[nodiscard]] graph::Tex add_all_visibility(graph::Graph& g, const GBuffer& gb, const ShadowMapSet& set,
-                                            std::span<const Light> lights, const ShadowSettings& s);
+                                            std::span<const Light> lights, const ShadowSettings& s,
+                                            const ShadowReceivers& receivers = {});
 
 /// What can be looked at of a light's shadows, as an image (R32F): the map as distances along its faces' axes, m (the
 /// map's size); its layer of visibility; or what the filter found. Empty where the light, by user's index, casts none.

@@ -18,6 +18,7 @@ layout(constant_id = 2) const uint blocker_count = 16;
 layout(constant_id = 3) const uint sample_count = 32;
 layout(constant_id = 4) const uint shown = show_visibility;
 layout(constant_id = 5) const bool blurred = false; // what is written is going to be
+layout(constant_id = 6) const bool beyond_scene = false; // receivers may lie behind the far side of a sun's map
 
 layout(PASS_IMAGE(6)) uniform texture2D shadow_map;
 layout(PASS_BUFFER(0), scalar) readonly buffer Faces { ShadowFace faces[]; };
@@ -367,5 +368,6 @@ float height_at(Place place, vec2 to, float depth)
 {
     vec2 uv = place.uv + to;
     float d = textureLod(sampler2D(shadow_map, samplers[sampler_nearest_clamp]), uv + place.middle, 0.0).x;
+    if (beyond_scene && !perspective) return any(greaterThan(abs(uv), place.half_tile)) || d <= 0.0 ? -1.0 : d - depth;
     return any(greaterThan(abs(uv), place.half_tile)) ? -1.0 : d - max(depth, 0.0);
 }

@@ -32,6 +32,7 @@ Shadow hard_shadow(Receiver r)
     vec4 d = textureGather(sampler2D(shadow_map, samplers[sampler_nearest_clamp]), map_uv(r, from + 1.0));
     float corner = r.depth + r.bias + dot(r.slope, from + 0.5 - r.texel);
     vec4 plane = corner + vec4(r.slope.y, r.slope.x + r.slope.y, r.slope.x, 0.0);
+    if (beyond_scene) plane = max(plane, 0.0);
     vec4 seen = vec4(greaterThanEqual(plane, d));
     vec2 row = mix(seen.wx, seen.zy, part.x);
     return Shadow(mix(row.x, row.y, part.y), 1.0 / 0.0, 0.0, blur_none);
@@ -129,8 +130,8 @@ Shadow pcss_shadow(Receiver r, Pattern pattern)
     float reach = light.radius * k;
     vec2 range = depth_range(r, reach);
     float tilt = length(r.slope) * reach + r.bias + plane_error(r, reach);
-    if (range.x <= r.depth - tilt) return lit;
-    if (range.y > r.depth + tilt) {
+    if (range.x <= r.depth - tilt || (beyond_scene && range.x <= 0.0)) return lit;
+    if (range.y > r.depth + tilt && (!beyond_scene || range.y > 0.0)) {
         float least = min((range.y - r.depth) * spread_per_height, widest);
         return Shadow(0.0, linear_z(range.x), 0.0, blur_of(r, penumbra_width(r, least)));
     }

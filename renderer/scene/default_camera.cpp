@@ -1,0 +1,136 @@
+#include "renderer/scene/default_camera.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+namespace atrium {
+namespace {
+
+using glm::dvec3;
+
+/// Calls visit(p) for the points in the axes of a view, m from the world's origin.
+template <class Visit>
+void for_each_point(std::span<const PointSet> sets, const glm::dmat3& view_from_world, Visit visit)
+{
+    for (const PointSet& set : sets) {
+        const glm::dmat4 world(set.world_from_object);
+        const glm::dmat3 turn = view_from_world * glm::dmat3(world);
+        const dvec3 shift = view_from_world * dvec3(world[3]);
+        for (std::size_t i = 0; i < set.count; ++i) {
+            vec3 p;
+            std::memcpy(&p, set.first + i * set.stride, sizeof(p));
+            if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) visit(turn * dvec3(p) + shift);
+        }
+    }
+}
+
+/// Along one axis of the picture: what a camera must see past, and where its middle is.
+struct Side {
+    double slope = 1;              ///< of the frustum's planes, framed_share of the picture apart
+    double high = -1e300, low = high; ///< the farthest that points lie beyond planes through the origin
+    void add(double x, double z)
+    {
+        high = std::max(high, x - slope * z);
+        low = std::max(low, -x - slope * z);
+    }
+    [[nodiscard]] double middle() const { return 0.5 * (high - low); }
+    /// Farthest forward from where all lies between the planes.
+    [[nodiscard]] double farthest() const { return -0.5 * (high + low) / slope; }
+};
+
+/// A place across the view from which the points' projections reach as far to one side as to the other, seen from depth
+/// `eye_z`: found from the two outermost, which change as it moves.
+struct Centring {
+    double eye = 0;
+    double most = 0, least = 0; ///< projections, and the points that have them
+    std::array<double, 2> most_at{}, least_at{};
+    void begin() { most = -1e300, least = 1e300; }
+    void add(double x, double z, double eye_z)
+    {
+        const double at = (x - eye) / (z - eye_z);
+        if (at > most) most = at, most_at = {x, z - eye_z};
+        if (at < least) least = at, least_at = {x, z - eye_z};
+    }
+    void end()
+    {
+        eye = (most_at[0] * least_at[1] + least_at[0] * most_at[1]) / (most_at[1] + least_at[1]);
+    }
+};
+
+} // namespace
+
+Camera frame_points(std::span<const PointSet> sets, float fov, float aspect)
+{
+    Camera camera;
+    camera.fov = fov;
+    const double above = glm::radians(30.0), aside = glm::radians(30.0); // two faces of a block are seen, and its top
+    const dvec3 forward(-std::cos(above) * std::sin(aside), -std::sin(above), -std::cos(above) * std::cos(aside));
+    const dvec3 right = glm::normalize(glm::cross(forward, dvec3(0, 1, 0))), up = glm::cross(right, forward);
+    const glm::dmat3 world_from_view(right, up, forward), view_from_world = glm::transpose(world_from_view);
+
+    const double slope = static_cast<double>(framed_share) * std::tan(glm::radians(0.5 * static_cast<double>(fov)));
+    Side x{slope * static_cast<double>(aspect)}, y{slope};
+    dvec3 low(1e300), high(-1e300);
+    for_each_point(sets, view_from_world, [&](const dvec3& p) {
+        x.add(p.x, p.z);
+        y.add(p.y, p.z);
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    });
+    if (low.x > high.x) return camera;
+
+    // Not into the near plane; and no closer than floats tell points apart.
+    const auto size = static_cast<float>(glm::length(high - low));
+    Bounds sized;
+    sized.add(vec3(0));
+    sized.add(vec3(size, 0, 0));
+    const double closest = std::max(2.0 * static_cast<double>(default_near(sized)), 1e-5 * std::max(glm::length(low), glm::length(high)));
+    const double eye_z = std::min({x.farthest(), y.farthest(), low.z - closest});
+    Centring across{x.middle()}, along{y.middle()};
+    constexpr int rounds = 4;
+    for (int round = 0; round < rounds; ++round) {
+        across.begin();
+        along.begin();
+        for_each_point(sets, view_from_world, [&](const dvec3& p) {
+            across.add(p.x, p.z, eye_z);
+            along.add(p.y, p.z, eye_z);
+        });
+        across.end();
+        along.end();
+    }
+    const dvec3 eye = world_from_view * dvec3(across.eye, along.eye, eye_z);
+    camera.eye = vec3(eye);
+    camera.target = vec3(eye + forward * (0.5 * (low.z + high.z) - eye_z));
+    return camera;
+}
+
+Camera frame_bounds(const Bounds& bounds, float fov, float aspect)
+{
+    std::array<vec3, 8> corners;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        corners[i] = {(i & 1) != 0 ? bounds.max.x : bounds.min.x, (i & 2) != 0 ? bounds.max.y : bounds.min.y,
+                      (i & 4) != 0 ? bounds.max.z : bounds.min.z};
+    }
+    const PointSet set{std::as_bytes(std::span(corners)).data(), sizeof(vec3), bounds.empty() ? 0 : corners.size()};
+    return frame_points({&set, 1}, fov, aspect);
+}
+
+Camera inside_bounds(const Bounds& bounds, float fov)
+{
+    Camera camera;
+    camera.fov = fov;
+    if (bounds.empty()) return camera;
+
+    // A third of the height shows floor and ceiling; a person's eye height where that is more and the room allows it.
+    const vec3 extent = bounds.extent();
+    const float height = std::max(extent.y / 3.0f, std::min(1.7f, 0.6f * extent.y));
+    camera.eye = bounds.centre();
+    camera.eye.y = bounds.min.y + height;
+    const float reach = std::max({0.5f * extent.x, 0.5f * extent.z, 0.01f});
+    camera.target = camera.eye + (extent.x > extent.z ? vec3(reach, 0, 0) : vec3(0, 0, -reach));
+    return camera;
+}
+
+} // namespace atrium

@@ -1,0 +1,41 @@
+#include "renderer/surroundings.hpp"
+
+#include <algorithm>
+
+namespace atrium {
+namespace {
+
+constexpr float contact_radius = 0.1f; ///< of the scene's diagonal: the floor darkens that far from what stands on it
+
+FloorSurface add_visible_floor(graph::Graph& g, const FrameContext& frame, const GBuffer& gbuffer)
+{
+    const Bounds& scene = frame.scene.bounds();
+    if (frame.settings.sky.floor != SkyFloor::on || scene.empty()) return {};
+    const FloorPlace place = floor_below(scene);
+    return frame.view.camera.eye.y > place.middle.y ? add_floor(g, gbuffer, place) : FloorSurface{};
+}
+
+} // namespace
+
+void add_surroundings(graph::Graph& g, const FrameContext& frame, const GBuffer& gbuffer, const ShadowMapSet& maps,
+                      graph::Tex hdr)
+{
+    const FloorSurface floor = add_visible_floor(g, frame, gbuffer);
+    if (!floor) {
+        add_sky(g, gbuffer.depth, hdr);
+        return;
+    }
+    const std::string prefix = "sky.";
+    FloorLight light;
+    ShadowSettings shadow = frame.settings.shadow;
+    if (shadow.filter == ShadowFilter::reference) shadow.filter = ShadowFilter::pcss; // one map, not hundreds
+    light.visibility = add_all_visibility(g, floor.visible, maps, frame.lights.lights, shadow, {prefix, true});
+    AoSettings ao = frame.settings.ao;
+    ao.radius = contact_radius * frame.scene.bounds().diagonal();
+    light.ao = add_ao(g, floor.whole, ao, prefix).result;
+    light.rects = std::any_of(frame.lights.lights.begin(), frame.lights.lights.end(),
+                              [](const Light& l) { return l.type == LightType::rect; });
+    add_sky(g, gbuffer.depth, hdr, floor, light);
+}
+
+} // namespace atrium
