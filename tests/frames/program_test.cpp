@@ -3,11 +3,13 @@
 #include "app/child_process.hpp"
 #include "renderer/core/image.hpp"
 #include "tests/rig/frame_rig.hpp"
+#include "tests/truth/scene_builder.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdio>
@@ -55,6 +57,70 @@ std::filesystem::path in_folder(const std::string& name)
 std::string court()
 {
     return rig::courtyard_bake().string();
+}
+
+/// A box of 2 m, closed, or with its inside out: a room.
+std::string box_file(bool room)
+{
+    const std::filesystem::path file = in_folder(room ? "room.atrium" : "box.atrium");
+    truth::SceneBuilder builder;
+    truth::Shape box = truth::box({-1, 0, -1}, {1, 2, 1});
+    if (room) std::reverse(box.triangles.begin(), box.triangles.end());
+    builder.add_mesh("box", builder.add_material("grey"), box);
+    write_bake(file, builder.finish());
+    return file.string();
+}
+
+/// The picture's pixels; `said` gets what the program said.
+std::vector<std::uint8_t> pixels_of(std::vector<std::string> arguments, std::string* said = nullptr)
+{
+    const std::string png = in_folder("pixels.png").string();
+    arguments.insert(arguments.begin(), "render");
+    for (const char* word : {"-o", png.c_str(), "--size", "64x36"}) arguments.emplace_back(word);
+    const Outcome outcome = atrium(arguments);
+    EXPECT_EQ(outcome.code, 0) << outcome.output;
+    if (said) *said = outcome.output;
+    return read_png(png).values;
+}
+
+TEST(program, a_floor_lies_below_a_scene_that_came_without_camera_and_light)
+{
+    const std::string box = box_file(false);
+    const auto plain = pixels_of({box}), on = pixels_of({box, "--set", "sky.floor=on"}),
+               off = pixels_of({box, "--set", "sky.floor=off"});
+    EXPECT_EQ(plain, on);
+    EXPECT_NE(plain, off);
+    EXPECT_EQ(pixels_of({box, "--set", "sky.floor=auto"}), on);
+    // A picture says so of itself.
+    ASSERT_EQ(atrium({"render", box, "-o", in_folder("floor.png").string(), "--size", "64x36"}).code, 0);
+    EXPECT_EQ(pixels_of({box, "--config", in_folder("floor.png").string()}), on);
+    const std::vector<std::vector<std::string>> given = {{"--light", "sun"},
+                                                         {"--no-lights"},
+                                                         {"--eye", "0,4,6", "--target", "0,1,0"},
+                                                         {"--from", "inside"}};
+    for (const std::vector<std::string>& options : given) {
+        std::vector<std::string> as_is{box}, without{box, "--set", "sky.floor=off"};
+        as_is.insert(as_is.end(), options.begin(), options.end());
+        without.insert(without.end(), options.begin(), options.end());
+        EXPECT_EQ(pixels_of(as_is), pixels_of(without)) << options.front();
+    }
+}
+
+TEST(program, a_camera_inside_a_room_tells_the_way_out)
+{
+    std::string said;
+    const std::string room = box_file(true), box = box_file(false);
+    const auto by_itself = pixels_of({room}, &said);
+    EXPECT_NE(said.find("--from outside"), std::string::npos) << said;
+    EXPECT_EQ(pixels_of({room, "--from", "inside"}, &said), by_itself);
+    EXPECT_EQ(said.find("--from"), std::string::npos) << said;
+    EXPECT_NE(pixels_of({room, "--from", "outside"}, &said), by_itself);
+    EXPECT_EQ(said.find("--from"), std::string::npos) << said;
+    const auto outside = pixels_of({box}, &said);
+    EXPECT_EQ(said.find("--from"), std::string::npos) << said;
+    EXPECT_EQ(pixels_of({box, "--from", "outside"}), outside);
+    EXPECT_NE(pixels_of({box, "--from", "inside"}), outside);
+    EXPECT_EQ(atrium({"render", box, "-o", in_folder("x.png").string(), "--from", "above"}).code, 2);
 }
 
 TEST(program, version_is_quick_and_every_command_has_help)
