@@ -90,7 +90,7 @@ mat4 clip_from_view(float fov_degrees, float aspect, float near)
 float default_near(const Bounds& bounds)
 {
     const float diagonal = bounds.diagonal(), near = std::clamp(diagonal / 20000.0f, 0.001f, 0.1f);
-    return diagonal > 0 ? std::min(near, 0.1f * diagonal) : near;
+    return diagonal > 0 ? std::min(near, 0.05f * diagonal) : near;
 }
 
 } // namespace atrium

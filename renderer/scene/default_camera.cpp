@@ -86,7 +86,7 @@ Camera frame_points(std::span<const PointSet> sets, float fov, float aspect)
     Bounds sized;
     sized.add(vec3(0));
     sized.add(vec3(size, 0, 0));
-    const double closest = std::max(2.0 * static_cast<double>(default_near(sized)), 1e-5 * std::max(glm::length(low), glm::length(high)));
+    const double closest = std::max(1.5 * static_cast<double>(default_near(sized)), 1e-5 * std::max(glm::length(low), glm::length(high)));
     const double eye_z = std::min({x.farthest(), y.farthest(), low.z - closest});
     Centring across{x.middle()}, along{y.middle()};
     constexpr int rounds = 4;

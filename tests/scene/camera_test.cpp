@@ -109,12 +109,16 @@ Frame projected(const Camera& camera, float aspect, std::span<const vec3> points
     return frame;
 }
 
-/// In the middle both ways, and as large as the picture's tighter side says.
-void expect_framed(const Frame& frame, const std::string& what)
+/// In the middle both ways, and, unless that would be too close to the nearest point, as large as the picture's tighter
+/// side says.
+void expect_framed(const Frame& frame, const std::string& what, bool close_enough = true)
 {
     EXPECT_NEAR(frame.low.x, -frame.high.x, 2e-3f) << what;
     EXPECT_NEAR(frame.low.y, -frame.high.y, 2e-3f) << what;
-    EXPECT_NEAR(std::max(frame.high.x, frame.high.y), framed_share, 2e-3f) << what;
+    EXPECT_LT(std::max(frame.high.x, frame.high.y), framed_share + 2e-3f) << what;
+    if (close_enough) {
+        EXPECT_GT(std::max(frame.high.x, frame.high.y), framed_share - 2e-3f) << what;
+    }
     EXPECT_GT(frame.nearest, 0) << what;
 }
 
@@ -143,7 +147,7 @@ TEST(camera, framing_fills_the_picture_from_30_degrees_above)
                 EXPECT_NEAR(std::asin(-d.y) * 180 / pi, 30, 2e-2f);
                 const Frame frame = projected(camera, aspect, corners_of(b));
                 const std::string what = std::to_string(&b - boxes) + " at " + std::to_string(aspect);
-                expect_framed(frame, what);
+                expect_framed(frame, what, fov <= 60);
                 EXPECT_GT(frame.nearest, default_near(b)) << what;
             }
         }
@@ -203,7 +207,7 @@ TEST(camera, near_plane_follows_the_scene)
     EXPECT_EQ(default_near(box({0, 0, 0}, {0.1f, 0, 0})), 0.001f);
     EXPECT_EQ(default_near(box({0, 0, 0}, {1e5f, 0, 0})), 0.1f);
     EXPECT_EQ(default_near({}), 0.001f);
-    EXPECT_FLOAT_EQ(default_near(box({0, 0, 0}, {1e-3f, 0, 0})), 1e-4f); // else nothing would be left to see
+    EXPECT_FLOAT_EQ(default_near(box({0, 0, 0}, {1e-3f, 0, 0})), 5e-5f); // else nothing would be left to see
 }
 
 TEST(camera, check_refuses_what_cannot_be_drawn)
