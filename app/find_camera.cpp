@@ -19,7 +19,7 @@ namespace {
 
 constexpr int ray_count = 64;
 constexpr float enclosed_share = 0.6f; ///< of the rays that must meet the front of a surface
-constexpr float free_distance = 0.02f; ///< of the diagonal, to the nearest surface
+constexpr float free_distance = 0.05f; ///< of the diagonal, to the nearest surface: seats of a car are closer
 
 struct Hit {
     float t = std::numeric_limits<float>::infinity();

@@ -77,7 +77,7 @@ struct Block : rig::FrameRig {
     }
 };
 
-constexpr float floor_albedo = 0.33f;
+constexpr float floor_albedo = 0.22f;
 
 TEST(sky, the_floor_takes_the_shadow_of_what_stands_on_it)
 {

@@ -10,7 +10,7 @@ layout(PASS_IMAGE(0)) uniform texture2D floor_depth;
 layout(PASS_IMAGE(1)) uniform texture2D ao_image;
 layout(location = 0) out vec4 out_radiance;
 
-const float floor_albedo = 0.33; // under the default sun as bright as the horizon
+const float floor_albedo = 0.22; // under the default sun a little darker than the horizon
 
 #ifdef SHADOWS
 layout(PASS_IMAGE(2)) uniform texture2DArray visibility_images;
