@@ -21,8 +21,7 @@ std::vector<SettingText> preset_settings(const std::string& name)
         if (name == known) return parse_settings(text, fmt::format("preset {}", name));
     }
     throw Error(ExitCode::usage, fmt::format("no preset is called \"{}\"", name), "--preset",
-                fmt::format("did you mean \"{}\"?", nearest_name(name, preset_names())),
-                "presets: " + fmt::format("{}", fmt::join(preset_names(), ", ")));
+                did_you_mean(name, preset_names()), "presets: " + fmt::format("{}", fmt::join(preset_names(), ", ")));
 }
 
 } // namespace atrium::app

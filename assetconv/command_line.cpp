@@ -26,7 +26,7 @@ void refuse_choice(const std::string& option, const std::string& typed, const st
 {
     throw Error(ExitCode::usage, fmt::format("unknown value \"{}\"", typed), option,
                 fmt::format("it takes one of: {}", fmt::join(names, ", ")),
-                fmt::format("did you mean {}?", nearest_name(typed, names)));
+                did_you_mean(typed, names, "choose one of them"));
 }
 
 void refuse_extras(const CLI::App& command, const std::string& program)
@@ -41,8 +41,9 @@ void refuse_extras(const CLI::App& command, const std::string& program)
                     "every other argument has its place already", help);
     }
     const std::string typed = option->substr(0, option->find('='));
+    const std::string nearest = did_you_mean(typed, option_names(command));
     throw Error(ExitCode::usage, fmt::format("unknown option \"{}\"", typed), "command line", "",
-                fmt::format("did you mean {}? {}", nearest_name(typed, option_names(command)), help));
+                nearest + (nearest.empty() ? "" : " ") + help);
 }
 
 void check_range(const std::string& option, double value, double low, double high)

@@ -30,8 +30,7 @@ KeyPress read_key(const std::string& name, bool held, const toml::node& value, c
     if (!key) {
         const std::string bare = text->substr(text->rfind('+') + 1); // npos + 1 is 0
         throw Error(ExitCode::input, fmt::format("no key is called \"{}\"", *text), where,
-                    fmt::format("did you mean \"{}\"?", nearest_name(bare, key_names())),
-                    "keys are named as in the help (H)");
+                    suggest_name(bare, key_names()), "keys are named as in the help (H)");
     }
     if (held && key->mods != 0) {
         throw Error(ExitCode::input, fmt::format("\"{}\" cannot be the key of \"{}\"", *text, name), where,
@@ -78,8 +77,7 @@ std::size_t KeyBindings::find(const std::string& name, const std::string& where)
         if (b.name == name) return names.size();
         names.push_back(b.name);
     }
-    throw Error(ExitCode::input, fmt::format("no action is called \"{}\"", name), where,
-                fmt::format("did you mean \"{}\"?", nearest_name(name, names)),
+    throw Error(ExitCode::input, fmt::format("no action is called \"{}\"", name), where, suggest_name(name, names),
                 "in the help (H), the mouse shows the name of each; settings are called as in \"atrium settings\", "
                 "numbers with .more or .less behind");
 }

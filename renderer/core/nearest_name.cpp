@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include <fmt/format.h>
+
 namespace atrium {
 namespace {
 
@@ -31,6 +33,28 @@ std::size_t edit_distance(std::string_view a, std::string_view b)
     return above[b.size()];
 }
 
+/// Without the dashes of an option and without the group ("ao.") that it shares with the other name.
+std::string_view own_part(std::string_view name, std::string_view other)
+{
+    const std::size_t group = name.rfind('.');
+    if (group != std::string_view::npos && other.starts_with(name.substr(0, group + 1))) name.remove_prefix(group + 1);
+    name.remove_prefix(std::min(name.find_first_not_of('-'), name.size()));
+    return name;
+}
+
+/// Whether a typing mistake explains that distance between the two.
+bool is_near(std::string_view typed, std::string_view candidate, std::size_t distance)
+{
+    constexpr std::size_t shortest_part = 3; // fewer letters begin too many names
+    const std::string_view t = own_part(typed, candidate), c = own_part(candidate, typed);
+    const std::size_t letters = std::max(t.size(), c.size());
+    const std::size_t allowed = std::max<std::size_t>(1, letters / 3);
+    if (distance <= allowed && distance < letters) return true;
+    const std::string_view last = candidate.substr(candidate.rfind('.') + 1); // npos + 1 is 0
+    return (t.size() >= shortest_part && (c.starts_with(t) || typed == last)) ||
+           (c.size() >= shortest_part && t.starts_with(c));
+}
+
 } // namespace
 
 std::string nearest_name(std::string_view typed, std::span<const std::string> candidates)
@@ -39,13 +63,30 @@ std::string nearest_name(std::string_view typed, std::span<const std::string> ca
     const std::string* best = nullptr;
     std::size_t best_distance = 0;
     for (const std::string& candidate : candidates) {
-        const std::size_t distance = edit_distance(typed, std::string_view(candidate).substr(0, longest_compared));
-        if (best == nullptr || distance < best_distance) {
+        const std::string_view name = std::string_view(candidate).substr(0, longest_compared);
+        const std::size_t distance = edit_distance(typed, name);
+        if ((best == nullptr || distance < best_distance) && is_near(typed, name, distance)) {
             best = &candidate;
             best_distance = distance;
         }
     }
     return best == nullptr ? std::string() : *best;
+}
+
+std::string did_you_mean(std::string_view typed, std::span<const std::string> candidates, std::string_view otherwise)
+{
+    const std::string nearest = nearest_name(typed, candidates);
+    if (nearest.empty()) return std::string(otherwise);
+    return nearest.starts_with('-') ? fmt::format("did you mean {}?", nearest)
+                                    : fmt::format("did you mean \"{}\"?", nearest);
+}
+
+std::string suggest_name(std::string_view typed, std::span<const std::string> candidates)
+{
+    constexpr std::size_t few = 12;
+    std::string nearest = did_you_mean(typed, candidates);
+    if (!nearest.empty() || candidates.empty() || candidates.size() > few) return nearest;
+    return fmt::format("choose one of {}", fmt::join(candidates, ", "));
 }
 
 } // namespace atrium

@@ -65,7 +65,7 @@ std::optional<Refusal> assign_enum(const Setting& s, const EnumField& field, std
         return std::nullopt;
     }
     return Refusal{fmt::format("the values are {}", fmt::join(s.values, ", ")),
-                   fmt::format("did you mean \"{}\"?", nearest_name(text, s.values))};
+                   did_you_mean(text, s.values, "choose one of them")};
 }
 
 } // namespace
@@ -163,9 +163,12 @@ void SettingList::set(std::string_view key, std::string_view text, ExitCode code
 {
     const Setting* setting = find(key);
     if (setting == nullptr) {
+        std::vector<std::string> keys;
+        for (const Setting& known : settings_) keys.push_back(known.key);
+        const std::string suggested = suggest_name(key, keys);
         throw Error(code, fmt::format("unknown {} \"{}\"", noun_, key), std::string(where),
                     fmt::format("there is no {} of that name", noun_),
-                    fmt::format("did you mean \"{}\"?{}{}", nearest(key), hint_.empty() ? "" : " ", hint_));
+                    suggested + (suggested.empty() || hint_.empty() ? "" : " ") + hint_);
     }
     if (auto refusal = setting->set_text(text)) {
         throw Error(code, fmt::format("bad value \"{}\" for {} \"{}\"", text, noun_, key), std::string(where),

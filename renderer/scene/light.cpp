@@ -35,7 +35,7 @@ LightType parse_type(std::string_view text, ExitCode code, const std::string& wh
     const std::vector<std::string> names(type_names.begin(), type_names.end());
     throw Error(code, fmt::format("unknown light type \"{}\"", text), where,
                 fmt::format("the types are {}", fmt::join(names, ", ")),
-                fmt::format("did you mean \"{}\"?", nearest_name(text, names)));
+                did_you_mean(text, names, "choose one of them"));
 }
 
 bool digits_only(std::string_view text)
@@ -160,7 +160,8 @@ Light parse_light(std::string_view spec)
         if (equals == std::string_view::npos) {
             const std::string nearest = reader.keys().nearest(part);
             throw Error(ExitCode::usage, fmt::format("\"{}\" is not a light's key=value", part), where,
-                        "there is no equals sign in it", fmt::format("did you mean \"{}=…\"?", nearest));
+                        "there is no equals sign in it",
+                        nearest.empty() ? "write key=value" : fmt::format("did you mean \"{}=…\"?", nearest));
         }
         reader.set(part.substr(0, equals), part.substr(equals + 1), where);
     }
@@ -212,8 +213,7 @@ std::size_t find_light(std::span<const Light> lights, std::string_view name)
     if (index && static_cast<std::size_t>(*index) < lights.size()) return static_cast<std::size_t>(*index);
     throw Error(ExitCode::usage, fmt::format("unknown light \"{}\"", name), "",
                 lights.empty() ? "the scene has no light" : fmt::format("the lights are {}", fmt::join(names, ", ")),
-                lights.empty() ? "add one with --light"
-                               : fmt::format("did you mean \"{}\"?", nearest_name(name, names)));
+                lights.empty() ? "add one with --light" : did_you_mean(name, names, "choose one of them"));
 }
 
 } // namespace atrium

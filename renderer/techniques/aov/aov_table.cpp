@@ -89,8 +89,7 @@ Aov parse_aov(std::string_view name, std::span<const Light> lights)
         names.push_back(info.per_light ? fmt::format("{}.{}", info.name, lights.empty() ? "0" : lights.front().name)
                                        : std::string(info.name));
     }
-    throw Error(ExitCode::usage, fmt::format("no AOV is called \"{}\"", name), "--aov",
-                fmt::format("did you mean \"{}\"?", nearest_name(name, names)),
+    throw Error(ExitCode::usage, fmt::format("no AOV is called \"{}\"", name), "--aov", suggest_name(name, names),
                 "docs/aovs.md lists them; those of a light end in .NAME or .INDEX, and graph.NAME is an image of the "
                 "frame graph");
 }

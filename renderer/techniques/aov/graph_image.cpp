@@ -64,7 +64,7 @@ void refuse_graph_image(const graph::Graph& g, const Aov& aov, const GraphImages
     for (const auto& [name, image] : images) names.push_back(name);
     const graph::Tex* image = find(images, aov.image);
     const std::string why = image ? fmt::format("it has {} layer(s), counted from 0", g.desc(*image).layers)
-                                  : fmt::format("did you mean \"{}\"?", nearest_name(aov.image, names));
+                                  : suggest_name(aov.image, names);
     throw Error(ExitCode::usage, fmt::format("this frame has no image \"{}\"", graph_image_text(aov)),
                 "graph." + graph_image_text(aov), why,
                 "--graph FILE.txt lists a frame's images; those of a technique that is off are not among them");
