@@ -42,15 +42,18 @@ void shorten_names(Scene& scene)
 
 } // namespace
 
-BakeData bake_scene(const BakeOptions& options)
+BakeData bake_scene(const BakeOptions& options, InputRecord* inputs)
 {
+    InputRecord none(false);
+    InputRecord& record = inputs != nullptr ? *inputs : none;
     Warnings warnings(options.strict);
     BakeData out;
     Steps steps;
 
+    record.add_file(options.input);
     const ObjFile obj = read_obj(options.input, warnings);
     steps.done("OBJ");
-    const MaterialSet set = read_materials(obj, options, warnings);
+    const MaterialSet set = read_materials(obj, options, warnings, record);
     steps.done("materials and images");
     bake_meshes(obj, set, options, out, warnings);
     steps.done("meshes");
@@ -66,7 +69,8 @@ BakeData bake_scene(const BakeOptions& options)
 void parse_scene(const BakeOptions& options)
 {
     Warnings warnings(options.strict);
-    static_cast<void>(read_materials(read_obj(options.input, warnings), options, warnings));
+    InputRecord none(false);
+    static_cast<void>(read_materials(read_obj(options.input, warnings), options, warnings, none));
 }
 
 } // namespace atrium

@@ -3,6 +3,7 @@
 
 #include "assetconv/material_rules.hpp"
 #include "assetconv/sides.hpp"
+#include "renderer/core/input_record.hpp"
 #include "renderer/scene/bake_file.hpp"
 
 #include <filesystem>
@@ -25,8 +26,9 @@ struct BakeOptions {
 };
 
 /// Throws Error(input) when the OBJ is missing or holds no face that can be drawn, and with `strict` at the first
-/// missing file or material. The same input gives the same bytes whatever the number of threads.
-[[nodiscard]] BakeData bake_scene(const BakeOptions& options);
+/// missing file or material. The same input gives the same bytes whatever the number of threads. `inputs` gets every
+/// file that was read and every name that was looked for in vain.
+[[nodiscard]] BakeData bake_scene(const BakeOptions& options, InputRecord* inputs = nullptr);
 
 /// Parses the OBJ (tinyobjloader) and decodes its textures (OpenImageIO), and keeps nothing: what a renderer without a
 /// bake would have to do at each start, for benchmarks.

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <system_error>
 #include <unordered_map>
 
 namespace atrium {
@@ -13,15 +14,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<MtlMaterial> read_libraries(const ObjFile& obj, Warnings& warnings)
+std::vector<MtlMaterial> read_libraries(const ObjFile& obj, Warnings& warnings, InputRecord& inputs)
 {
     std::vector<MtlMaterial> materials;
     std::vector<fs::path> seen;
     for (const ObjName& library : obj.libraries) {
         std::vector<std::string> missing;
-        for (const fs::path& file : find_libraries(obj.path.parent_path(), library.name, missing)) {
+        for (const fs::path& file : find_libraries(folders_of(obj.path), library.name, missing, inputs)) {
             if (std::find(seen.begin(), seen.end(), file) != seen.end()) continue;
             seen.push_back(file);
+            inputs.add_file(file);
             read_mtl(file, materials, warnings);
         }
         for (const std::string& name : missing)
@@ -54,7 +56,15 @@ void assign(const ObjFile& obj, const std::vector<MtlMaterial>& mtl, MaterialSet
     }
 }
 
-MapFiles find_maps(const MtlMaterial& mtl, ImageStore& images, Warnings& warnings)
+/// One spelling for each file; ".." is taken away only where no link stands before it, which it would lead elsewhere.
+fs::path plain_path(const fs::path& file)
+{
+    const fs::path normal = file.lexically_normal();
+    std::error_code failed;
+    return fs::equivalent(file, normal, failed) ? normal : file;
+}
+
+MapFiles find_maps(const MtlMaterial& mtl, ImageStore& images, Warnings& warnings, InputRecord& inputs)
 {
     MapFiles files;
     for (std::size_t k = 0; k < map_kind_count; ++k) {
@@ -62,14 +72,15 @@ MapFiles find_maps(const MtlMaterial& mtl, ImageStore& images, Warnings& warning
         const auto& map = mtl.map(kind);
         if (!map || !is_map_wanted(mtl, kind)) continue;
         std::vector<fs::path> tried;
-        const auto file = find_file(mtl.folder, map->file, true, &tried);
+        const auto file = find_file(folders_of(mtl.file), map->file, true, inputs, &tried);
         if (!file) {
             std::string why = map->where + ": \"" + map->file + "\"";
             for (const fs::path& path : tried) why += (&path == &tried[0] ? ", tried " : " and ") + path.string();
             warnings.add("texture-missing", why);
             continue;
         }
-        files[k] = ImageKey{file->lexically_normal(), is_color_map(kind)};
+        inputs.add_file(*file);
+        files[k] = ImageKey{plain_path(*file), is_color_map(kind)};
         images.want(*files[k], map->where);
     }
     return files;
@@ -98,15 +109,15 @@ NormalVerdicts judge(const std::vector<MapFiles>& files, const ImageStore& image
 
 } // namespace
 
-MaterialSet read_materials(const ObjFile& obj, const BakeOptions& options, Warnings& warnings)
+MaterialSet read_materials(const ObjFile& obj, const BakeOptions& options, Warnings& warnings, InputRecord& inputs)
 {
     MaterialSet set;
-    const std::vector<MtlMaterial> mtl = read_libraries(obj, warnings);
+    const std::vector<MtlMaterial> mtl = read_libraries(obj, warnings, inputs);
     std::vector<bool> used;
     assign(obj, mtl, set, used, warnings);
     std::vector<MapFiles> files(mtl.size());
     for (std::size_t i = 0; i < mtl.size(); ++i) {
-        if (used[i]) files[i] = find_maps(mtl[i], set.images, warnings);
+        if (used[i]) files[i] = find_maps(mtl[i], set.images, warnings, inputs);
     }
     set.images.load(warnings);
     const NormalVerdicts verdicts = judge(files, set.images, options.normal_y);

@@ -15,7 +15,8 @@ struct MaterialSet {
 };
 
 /// Reads every library that the OBJ names, decodes the images of the materials that faces use, and applies the table.
-[[nodiscard]] MaterialSet read_materials(const ObjFile& obj, const BakeOptions& options, Warnings& warnings);
+[[nodiscard]] MaterialSet read_materials(const ObjFile& obj, const BakeOptions& options, Warnings& warnings,
+                                         InputRecord& inputs);
 
 /// Packs the planned textures, each different one once, builds their mips, and sets the materials' indices.
 void bake_textures(const MaterialSet& set, const BakeOptions& options, BakeData& out);

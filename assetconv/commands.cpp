@@ -6,9 +6,11 @@
 #include "assetconv/info.hpp"
 #include "renderer/core/atomic_file.hpp"
 #include "renderer/core/error.hpp"
+#include "renderer/core/hash.hpp"
 #include "renderer/core/jobs.hpp"
 #include "renderer/core/log.hpp"
 #include "renderer/core/nearest_name.hpp"
+#include "renderer/core/output_guard.hpp"
 #include "renderer/scene/bake_file.hpp"
 
 #include <fmt/format.h>
@@ -17,6 +19,8 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <span>
+#include <utility>
 
 namespace atrium {
 namespace {
@@ -85,6 +89,9 @@ public:
         app.add_flag("--strict", strict_, "missing textures, MTL files and materials are errors");
         app.add_option("--jobs", jobs_, "threads (default: all cores)")->type_name("N");
         app.add_option("--json", json_, "write what `info --json` tells; - for standard output")->type_name("FILE");
+        app.add_option("--dependencies", dependencies_,
+                       "write what the bake was made from, to know when to make it again")
+            ->type_name("FILE");
         app.footer("Example:\n  assetconv bake sponza.obj --scale 0.01 -o sponza.atrium");
     }
 
@@ -92,10 +99,17 @@ public:
     {
         const BakeOptions options = read_options();
         const std::filesystem::path output = output_.empty() ? options.input.stem().string() + ".atrium" : output_;
-        const BakeData data = bake_scene(options);
+        const std::array outputs{OutputFile{"-o", output}, OutputFile{"--json", json_},
+                                 OutputFile{"--dependencies", dependencies_}};
+        refuse_overwriting(outputs, std::array{options.input});
+        InputRecord inputs;
+        const BakeData data = bake_scene(options, &inputs);
+        refuse_overwriting(outputs, inputs.files()); // now with the MTL files and textures
         write_bake(output, data);
+        const std::vector<std::string> warnings = warning_lines(data.scene);
+        for (const std::string& line : warnings) log_warning(line);
+        if (!dependencies_.empty()) write_dependencies(output, std::move(inputs), warnings);
         const std::uint64_t size = std::filesystem::file_size(output);
-        if (!data.scene.warnings.empty()) log_info("warnings of the bake:\n" + trim_end(warnings_text(data.scene)));
         log_info(fmt::format("{}: {} triangles, {} meshes, {} materials, {} textures, {:.1f} MiB", output.string(),
                              data.scene.index_count / 3, data.scene.meshes.size(), data.scene.materials.size(),
                              data.scene.textures.size(), static_cast<double>(size) / (1024.0 * 1024.0)));
@@ -128,13 +142,18 @@ private:
         return o;
     }
 
-    static std::string trim_end(std::string text)
+    /// After the bake: a record without its bake, or of another one, is worth nothing.
+    void write_dependencies(const std::filesystem::path& output, InputRecord inputs,
+                            const std::vector<std::string>& warnings) const
     {
-        while (text.ends_with('\n')) text.pop_back();
-        return text;
+        inputs.add_file(std::filesystem::read_symlink("/proc/self/exe")); // another assetconv may bake another way
+        inputs.result = hash64(std::as_bytes(std::span(BakeFile(output).table())));
+        inputs.notes = warnings;
+        write_text_file(dependencies_, inputs.to_json());
     }
 
-    std::string input_, output_, json_, up_ = "y", textures_ = "rgba8", normal_y_ = "auto", two_sided_ = "auto";
+    std::string input_, output_, json_, dependencies_, up_ = "y", textures_ = "rgba8", normal_y_ = "auto",
+                                                       two_sided_ = "auto";
     double scale_ = 1;
     std::optional<double> smooth_angle_;
     std::int64_t max_size_ = max_image_side;
@@ -152,6 +171,7 @@ public:
     }
     void run() override
     {
+        refuse_overwriting(std::array{OutputFile{"--json", json_}}, std::array{std::filesystem::path(file_)});
         const BakeFile bake(file_);
         if (json_.empty())
             print(info_text(bake.scene(), bake.bytes().size()));
@@ -273,7 +293,7 @@ struct CommandLine {
         if (first.starts_with('-')) names = {"--help", "--version"};
         throw Error(ExitCode::usage,
                     fmt::format("unknown {} \"{}\"", first.starts_with('-') ? "option" : "command", first),
-                    "command line", all, fmt::format("did you mean {}?", nearest_name(first, names)));
+                    "command line", all, did_you_mean(first, names, "`assetconv --help` tells about them"));
     }
 };
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
 #include <string>
 #include <system_error>
 
@@ -24,22 +23,7 @@ bool is_file(const fs::path& path)
     return fs::is_regular_file(path, ignored);
 }
 
-/// The entry of `folder` that equals `name` but for case; the first in byte order of several.
-std::optional<fs::path> entry_without_case(const fs::path& folder, const std::string& name)
-{
-    const std::string wanted = lower_case(name);
-    std::set<std::string> matches;
-    std::error_code ignored;
-    for (fs::directory_iterator at(folder.empty() ? fs::path(".") : folder, ignored), end; at != end;
-         at.increment(ignored)) {
-        const std::string entry = at->path().filename().string();
-        if (lower_case(entry) == wanted) matches.insert(entry);
-    }
-    if (matches.empty()) return std::nullopt;
-    return folder / *matches.begin();
-}
-
-std::optional<fs::path> find_without_case(const fs::path& folder, const fs::path& relative)
+std::optional<fs::path> find_without_case(const fs::path& folder, const fs::path& relative, InputRecord& inputs)
 {
     fs::path at = folder;
     for (const fs::path& part : relative) {
@@ -49,9 +33,10 @@ std::optional<fs::path> find_without_case(const fs::path& folder, const fs::path
             at = exact;
             continue;
         }
-        const std::optional<fs::path> entry = entry_without_case(at, part.string());
-        if (!entry) return std::nullopt;
-        at = *entry;
+        const std::vector<std::string> entries = entries_like(at, part.string());
+        inputs.add_search(at, part.string(), entries);
+        if (entries.empty()) return std::nullopt;
+        at /= entries.front(); // the first in byte order of several
     }
     return is_file(at) ? std::optional(at) : std::nullopt;
 }
@@ -68,8 +53,27 @@ fs::path relative_part(std::string_view name)
 
 } // namespace
 
-std::optional<fs::path> find_file(const fs::path& folder, std::string_view name, bool any_image_ending,
-                                  std::vector<fs::path>* tried)
+std::vector<fs::path> folders_of(const fs::path& file)
+{
+    constexpr int most_links = 40; // as many as Linux follows
+    std::vector<fs::path> folders;
+    const auto add = [&](const fs::path& folder) {
+        if (std::find(folders.begin(), folders.end(), folder) == folders.end()) folders.push_back(folder);
+    };
+    fs::path at = file;
+    std::error_code failed;
+    for (int i = 0; i < most_links; ++i) {
+        add(at.parent_path());
+        if (!fs::is_symlink(at, failed)) break;
+        const fs::path next = fs::read_symlink(at, failed);
+        if (failed) break;
+        at = at.parent_path() / next; // an absolute link stands alone
+    }
+    return folders;
+}
+
+std::optional<fs::path> find_file(const std::vector<fs::path>& folders, std::string_view name, bool any_image_ending,
+                                  InputRecord& inputs, std::vector<fs::path>* tried)
 {
     if (name.empty() || name.size() > longest_name || name.find('\0') != std::string_view::npos) return std::nullopt;
     const fs::path relative = relative_part(name);
@@ -84,14 +88,17 @@ std::optional<fs::path> find_file(const fs::path& folder, std::string_view name,
     }
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         if (candidates[i].empty()) continue;
-        if (const auto found = find_without_case(folder, candidates[i])) return found;
-        if (tried != nullptr && i < 2 && (i == 0 || relative.has_parent_path()))
-            tried->push_back(folder / candidates[i]);
+        for (const fs::path& folder : folders) {
+            if (const auto found = find_without_case(folder, candidates[i], inputs)) return found;
+            if (tried != nullptr && i < 2 && (i == 0 || relative.has_parent_path()))
+                tried->push_back(folder / candidates[i]);
+        }
     }
     return std::nullopt;
 }
 
-std::vector<fs::path> find_libraries(const fs::path& folder, std::string_view names, std::vector<std::string>& missing)
+std::vector<fs::path> find_libraries(const std::vector<fs::path>& folders, std::string_view names,
+                                     std::vector<std::string>& missing, InputRecord& inputs)
 {
     std::vector<fs::path> found;
     std::string_view rest = trimmed(names);
@@ -105,7 +112,7 @@ std::vector<fs::path> find_libraries(const fs::path& folder, std::string_view na
         std::size_t taken = ends.front().size();
         bool any = false;
         for (auto end = ends.rbegin(); end != ends.rend() && !any; ++end) {
-            if (const auto file = find_file(folder, *end, false)) {
+            if (const auto file = find_file(folders, *end, false, inputs)) {
                 found.push_back(*file);
                 taken = end->size();
                 any = true;

@@ -141,22 +141,26 @@ std::string info_text(const Scene& scene, std::uint64_t file_size)
         out += fmt::format("{:5}  {:24} {:4} {:8} {:6}  {}\n", i, m.name, m.material, m.index_count / 3,
                            m.cluster_count, m.two_sided ? "two-sided" : "one-sided");
     }
-    const std::string warnings = warnings_text(scene);
-    if (!warnings.empty()) out += "\nwarnings of the bake\n" + warnings;
+    if (!scene.warnings.empty()) out += "\nwarnings of the bake\n";
+    for (const std::string& line : warning_lines(scene)) out += line + "\n";
     return out;
 }
 
-std::string warnings_text(const Scene& scene)
+std::vector<std::string> warning_lines(const Scene& scene)
 {
-    std::string out;
+    std::vector<std::string> lines;
     for (const BakeWarning& w : scene.warnings) {
         const auto kinds = warning_kinds();
         const auto kind =
             std::find_if(kinds.begin(), kinds.end(), [&](const WarningKind& k) { return k.name == w.kind; });
-        out += fmt::format("{} x {}: {}\n  first: {}\n", w.count, w.kind, kind == kinds.end() ? "" : kind->meaning,
-                           w.first);
+        std::string line =
+            fmt::format("{} x {}: {}; first: {}", w.count, w.kind, kind == kinds.end() ? "" : kind->meaning, w.first);
+        // The place quotes a file of unknown origin, whose control characters are not for a terminal.
+        std::replace_if(
+            line.begin(), line.end(), [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }, '?');
+        lines.push_back(std::move(line));
     }
-    return out;
+    return lines;
 }
 
 } // namespace atrium

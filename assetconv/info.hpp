@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace atrium {
 
@@ -16,7 +17,7 @@ namespace atrium {
 [[nodiscard]] std::string to_text(const nlohmann::ordered_json& json);
 /// The same for people, with a trailing newline.
 [[nodiscard]] std::string info_text(const Scene& scene, std::uint64_t file_size);
-/// One line per kind of warning, or empty.
-[[nodiscard]] std::string warnings_text(const Scene& scene);
+/// One line for each kind of warning, without a newline: how often, what it means, and the first place.
+[[nodiscard]] std::vector<std::string> warning_lines(const Scene& scene);
 
 } // namespace atrium

@@ -88,7 +88,7 @@ private:
         values_.clear();
         material_.name = std::string(name);
         material_.where = place(file_, line_);
-        material_.folder = file_.parent_path();
+        material_.file = file_;
     }
 
     /// Checks the numbers and spells them out for tinyobjloader: it would read anything as 0.

@@ -43,8 +43,8 @@ struct MapReference {
 
 struct MtlMaterial {
     std::string name;
-    std::string where;            ///< of newmtl
-    std::filesystem::path folder; ///< that texture names start from
+    std::string where;          ///< of newmtl
+    std::filesystem::path file; ///< that defines it: its texture names start there
     std::optional<vec3> kd, ka, ks, ke, tf;
     std::optional<float> ns, ni, d, tr, pr, pm;
     std::optional<int> illum;

@@ -81,7 +81,8 @@ TEST(find_file, forgives_what_other_systems_write)
     const Folder folder;
     folder.write("Textures/Wall.PNG", "x");
     folder.write("beside.tga", "x");
-    const auto found = [&](const char* name) { return find_file(folder / "", name, true).has_value(); };
+    InputRecord inputs;
+    const auto found = [&](const char* name) { return find_file({folder / ""}, name, true, inputs).has_value(); };
     EXPECT_TRUE(found("textures/wall.png"));
     EXPECT_TRUE(found("C:\\work\\beside.tga"));
     EXPECT_TRUE(found("/elsewhere/beside.tga"));
@@ -98,9 +99,10 @@ TEST(find_file, library_names_may_hold_blanks)
     folder.write("a b.mtl", "");
     folder.write("c.mtl", "");
     std::vector<std::string> missing;
-    EXPECT_EQ(find_libraries(folder / "", "a b.mtl c.mtl", missing).size(), 2u);
+    InputRecord inputs;
+    EXPECT_EQ(find_libraries({folder / ""}, "a b.mtl c.mtl", missing, inputs).size(), 2u);
     EXPECT_TRUE(missing.empty());
-    EXPECT_EQ(find_libraries(folder / "", "c.mtl gone.mtl", missing).size(), 1u);
+    EXPECT_EQ(find_libraries({folder / ""}, "c.mtl gone.mtl", missing, inputs).size(), 1u);
     EXPECT_EQ(missing, std::vector<std::string>{"gone.mtl"});
 }
 
