@@ -1,5 +1,6 @@
 #include "app/config.hpp"
 
+#include "app/scene_writer.hpp"
 #include "app/toml_text.hpp"
 #include "renderer/core/error.hpp"
 
@@ -29,11 +30,13 @@ ImageMetadata describe_frame(const FrameRequest& request, double time)
     describe(list, settings);
     settings = request.settings;
 
-    std::string out =
-        fmt::format("width = {}\nheight = {}\ntime = {}\nlights = [", request.size.x, request.size.y, time);
+    std::string out = fmt::format("width = {}\nheight = {}\ntime = {}\nlights = [", request.size.x, request.size.y,
+                                  toml_number(time));
     for (const Light& light : request.lights) out += fmt::format("\n    {},", toml_string(to_spec(light)));
     out += "\n]\n[camera]\n" + toml_camera(request.camera);
-    return {{metadata_key, out + differing_toml(list) + materials_toml(request.materials)}};
+    out += "[settings]\n";
+    for (const SettingText& s : portable_settings(list)) out += fmt::format("{} = {}\n", s.key, toml_string(s.value));
+    return {{metadata_key, out + materials_toml(request.materials)}};
 }
 
 FrameConfig read_config(const std::filesystem::path& file)

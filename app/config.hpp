@@ -14,8 +14,8 @@ namespace atrium::app {
 /// Keyword under which pictures keep it.
 inline constexpr const char* metadata_key = "atrium";
 
-/// Settings that differ from the defaults, camera, lights, changes of the scene's materials, size and time, as TOML.
-/// The same request gives the same text.
+/// Settings that some device would not have by default, camera, lights, changes of the scene's materials, size and
+/// time, as TOML. The same request gives the same text.
 [[nodiscard]] ImageMetadata describe_frame(const FrameRequest& request, double time);
 
 /// A settings file in TOML, or the text inside a PNG or EXR. Throws Error(input).

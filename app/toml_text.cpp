@@ -2,7 +2,22 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace atrium::app {
+namespace {
+
+template <class T>
+std::string number_text(T value)
+{
+    constexpr T safe_integer = 9007199254740992; // 2^53: what TOML's integers and floats both hold
+    std::string text = fmt::format("{}", value);
+    const bool is_integer = text.find_first_of(".e") == std::string::npos && std::isfinite(value);
+    if (is_integer && (std::abs(value) > safe_integer || (value == 0 && std::signbit(value)))) text += ".0";
+    return text;
+}
+
+} // namespace
 
 std::string toml_string(std::string_view text)
 {
@@ -18,16 +33,26 @@ std::string toml_string(std::string_view text)
     return out + "\"";
 }
 
+std::string toml_number(float value)
+{
+    return number_text(value);
+}
+
+std::string toml_number(double value)
+{
+    return number_text(value);
+}
+
 std::string toml_vector(const vec3& v)
 {
-    return fmt::format("[{}, {}, {}]", v.x, v.y, v.z);
+    return fmt::format("[{}, {}, {}]", toml_number(v.x), toml_number(v.y), toml_number(v.z));
 }
 
 std::string toml_value(const Setting& setting)
 {
     if (const auto* field = std::get_if<bool*>(&setting.field)) return **field ? "true" : "false";
     if (const auto* field = std::get_if<vec3*>(&setting.field)) return toml_vector(**field);
-    if (std::holds_alternative<float*>(setting.field)) return setting.get();
+    if (const auto* field = std::get_if<float*>(&setting.field)) return toml_number(**field);
     return toml_string(setting.get());
 }
 

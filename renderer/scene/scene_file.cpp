@@ -71,6 +71,14 @@ Camera read_camera(const TomlReader& in)
     return camera;
 }
 
+/// Of a picture: what was drawn is drawn again, also where a scene file's camera may not stand.
+Camera read_drawn_camera(const TomlReader& in)
+{
+    constexpr Range any_fov{1.0f, 170.0f};
+    return {in.required_vector("eye", any_number), in.required_vector("target", any_number),
+            in.number("fov", any_fov).value_or(60.0f)};
+}
+
 std::vector<std::string> keys_of(LightType type)
 {
     Light light = default_light(type);
@@ -249,12 +257,12 @@ FrameConfig parse_frame_config(std::string_view text, const fs::path& file)
     FrameConfig config;
     if (const toml::table* settings = root.subtable("settings")) config.settings = read_settings(file, *settings);
     if (const toml::table* camera = root.subtable("camera")) {
-        config.camera = read_camera(TomlReader(file, *camera, "the camera", {"eye", "target", "fov"}));
+        config.camera = read_drawn_camera(TomlReader(file, *camera, "the camera", {"eye", "target", "fov"}));
     }
     const Range pixels{1, 16384};
     const auto width = root.number("width", pixels), height = root.number("height", pixels);
     if (width && height) config.size = uvec2(*width, *height);
-    if (const auto time = root.number("time", any_number)) config.time = *time;
+    config.time = root.real("time");
     if (const toml::array* lights = table["lights"].as_array()) {
         config.lights.emplace();
         for (const toml::node& light : *lights)

@@ -79,9 +79,13 @@ std::optional<double> finite_number(const toml::node& node)
     return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
+/// Compared as the float that it becomes: the shortest text of the largest float is a little more than that.
 bool within(double value, Range range)
 {
-    return value >= static_cast<double>(range.min) && value <= static_cast<double>(range.max);
+    constexpr double beyond_floats = 3.4028236e38;
+    if (std::abs(value) >= beyond_floats) return false;
+    const auto number = static_cast<float>(value);
+    return number >= range.min && number <= range.max;
 }
 
 void add_dotted_entries(const toml::table& table, const std::string& prefix, int depth, std::vector<TomlEntry>& out)
@@ -174,7 +178,7 @@ TomlReader::TomlReader(const std::filesystem::path& file, const toml::table& tab
         if (std::find(keys.begin(), keys.end(), entry.key) != keys.end()) continue;
         throw Error(ExitCode::input, fmt::format("unknown key \"{}\" in {}", entry.key, what_),
                     where_in(file, entry.source), fmt::format("its keys are {}", fmt::join(keys, ", ")),
-                    fmt::format("did you mean \"{}\"?", nearest_name(entry.key, keys)));
+                    did_you_mean(entry.key, keys, "use one of them, or remove the line"));
     }
 }
 
@@ -225,6 +229,14 @@ std::optional<float> TomlReader::number(std::string_view key, Range range) const
         fail(key, fmt::format("the range is {} to {}", range.min, range.max), "give a number in the range");
     }
     return static_cast<float>(*value);
+}
+
+std::optional<double> TomlReader::real(std::string_view key) const
+{
+    if (!has(key)) return std::nullopt;
+    auto value = finite_number(*table_.get(key));
+    if (!value) wrong_kind(key, "a finite number");
+    return value;
 }
 
 std::optional<vec3> TomlReader::vector(std::string_view key, Range range) const
