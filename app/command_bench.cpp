@@ -7,6 +7,7 @@
 #include "app/scene_input.hpp"
 #include "app/stats.hpp"
 #include "renderer/core/error.hpp"
+#include "renderer/core/output_guard.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -171,7 +172,10 @@ nlohmann::ordered_json report(const Samples& samples, const std::vector<std::str
 
 int run(const Options& o)
 {
+    const std::array output{OutputFile{"--json", o.json}};
+    refuse_overwriting(output, std::array{o.scene.scene, o.frame.config, o.source});
     const SceneInput scene = read_scene_input(o.scene, o.frame);
+    refuse_overwriting(output, scene.files);
     tell_camera(scene, o.frame);
     const SettingChain chain(o.frame, scene);
     FrameRequest request = make_request(o.frame, scene, chain);

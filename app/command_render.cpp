@@ -9,14 +9,18 @@
 #include "app/stats.hpp"
 #include "renderer/core/error.hpp"
 #include "renderer/core/log.hpp"
+#include "renderer/core/output_guard.hpp"
 #include "renderer/core/progress.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <array>
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -96,6 +100,12 @@ void draw_frames(const FrameSequence& sequence, Engine& engine, StatsRecorder& s
     }
 }
 
+void refuse_inputs(const Options& o, const OutputPlan& outputs, std::span<const std::filesystem::path> inputs)
+{
+    outputs.refuse_inputs(inputs);
+    refuse_overwriting(std::array{OutputFile{"--stats", o.stats}, OutputFile{"--graph", o.graph}}, inputs);
+}
+
 int run(const Options& o)
 {
     // Everything that can be wrong with the command line is found out before the device is touched.
@@ -104,8 +114,13 @@ int run(const Options& o)
         throw Error(ExitCode::usage, "--resume continues numbered frames only", "--resume",
                     fmt::format("{} has no # in its name", o.output.string()), "for example -o frame.####.png");
     }
+    if (!std::isfinite(o.dt)) { // CLI11 lets "nan" pass
+        throw Error(ExitCode::usage, "--dt takes a finite number of seconds", "--dt", "", "for example --dt 0.04");
+    }
+    refuse_inputs(o, outputs, std::array{o.scene.scene, o.frame.config});
     const auto start = std::chrono::steady_clock::now();
     const SceneInput scene = read_scene_input(o.scene, o.frame);
+    refuse_inputs(o, outputs, scene.files); // now with what the scene file and the OBJ name
     tell_camera(scene, o.frame);
     const SettingChain chain(o.frame, scene);
     FrameRequest request = make_request(o.frame, scene, chain);

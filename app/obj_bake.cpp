@@ -5,14 +5,11 @@
 #include "app/scene_input.hpp"
 
 #include "renderer/core/error.hpp"
-#include "renderer/core/hash.hpp"
 #include "renderer/core/log.hpp"
 #include "renderer/scene/bake_format.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cstdlib>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -20,27 +17,6 @@
 
 namespace atrium::app {
 namespace {
-
-constexpr std::size_t max_files_looked_at = 10000; ///< an OBJ in a crowded folder must not take seconds to look around
-
-/// Changes when a file in the OBJ's folder or below (MTL, textures) does.
-std::string folder_state(const std::filesystem::path& folder)
-{
-    std::vector<std::string> lines;
-    std::error_code ignored;
-    for (auto it = std::filesystem::recursive_directory_iterator(
-             folder, std::filesystem::directory_options::skip_permission_denied, ignored);
-         it != std::filesystem::recursive_directory_iterator() && lines.size() < max_files_looked_at;
-         it.increment(ignored)) {
-        if (!it->is_regular_file(ignored)) continue;
-        const auto time = it->last_write_time(ignored).time_since_epoch().count();
-        lines.push_back(fmt::format("{} {} {}\n", it->path().string(), it->file_size(ignored), time));
-    }
-    std::sort(lines.begin(), lines.end()); // folders list in any order
-    std::string state;
-    for (const std::string& line : lines) state += line;
-    return state;
-}
 
 /// Cuts the last part of that label off a message, as Error::text() writes it.
 std::string cut_part(std::string& message, std::string_view label)
@@ -67,61 +43,69 @@ std::optional<Error> said_error(const std::string& said, ExitCode code)
 
 } // namespace
 
-std::filesystem::path cache_folder()
-{
-    if (const char* xdg = std::getenv("XDG_CACHE_HOME"); xdg && *xdg) return std::filesystem::path(xdg) / "atrium";
-    if (const char* home = std::getenv("HOME"); home && *home) return std::filesystem::path(home) / ".cache" / "atrium";
-    return {};
-}
-
-ObjBake::ObjBake(const std::filesystem::path& obj, double scale, const std::string& up, Output output) : obj_(obj)
+ObjBake::ObjBake(const std::filesystem::path& obj, double scale, const std::string& up, Output output)
+    : obj_(obj), cached_(obj, fmt::format("{}\n{}\n{}\n{}\n{}", std::filesystem::absolute(obj).string(), scale, up,
+                                          bake::format_version, ATRIUM_VERSION))
 {
     std::error_code error;
     if (!std::filesystem::is_regular_file(obj, error)) {
         throw Error(ExitCode::input, fmt::format("scene not found: {}", obj.string()), obj.string(),
                     "there is no such file", "check the path");
     }
-    const std::filesystem::path cache = cache_folder();
-    if (cache.empty()) {
+    if (cache_folder().empty()) {
         throw Error(ExitCode::environment, "no folder for the bake of an OBJ", obj.string(),
                     "neither XDG_CACHE_HOME nor HOME is set",
                     "set one, or bake by hand: assetconv bake SCENE.obj -o SCENE.atrium");
     }
-    const std::filesystem::path absolute = std::filesystem::canonical(obj);
-    const std::string key = fmt::format("{}\n{}\n{}\n{}\n{}\n{}", absolute.string(), scale, up, bake::format_version,
-                                        ATRIUM_VERSION, folder_state(absolute.parent_path()));
-    bake_ =
-        cache / "bakes" / fmt::format("{}-{:016x}.atrium", obj.stem().string(), hash64(std::as_bytes(std::span(key))));
-    if (std::filesystem::exists(bake_)) return;
+    static_cast<void>(bake_cache_limit()); // a bad value is told before minutes of baking
+    if (cached_.is_current(inputs_)) {
+        cached_.mark_used();
+        for (const std::string& note : inputs_.notes) log_warning(note);
+        return;
+    }
 
     const std::filesystem::path converter = this_program().parent_path() / "assetconv";
     if (!std::filesystem::exists(converter)) {
         throw Error(ExitCode::environment, "assetconv is missing", converter.string(),
                     "it bakes OBJ files and stands beside atrium", "build or install both programs together");
     }
-    std::filesystem::create_directories(bake_.parent_path(), error);
+    const std::filesystem::path folder = cached_.bake.parent_path();
+    std::filesystem::create_directories(folder, error);
     if (error) {
-        throw Error(ExitCode::environment, "no folder for the bake of an OBJ", bake_.parent_path().string(),
-                    error.message(), "set XDG_CACHE_HOME to a folder that can be written");
+        throw Error(ExitCode::environment, "no folder for the bake of an OBJ", folder.string(), error.message(),
+                    "set XDG_CACHE_HOME to a folder that can be written");
     }
-    log_info(fmt::format("baking {} to {}", obj.string(), bake_.string()));
-    if (output == Output::kept) scratch_.emplace();
-    child_.emplace(std::vector<std::string>{converter.string(), "bake", absolute.string(), "-o", bake_.string(),
-                                            "--scale", fmt::format("{}", scale), "--up", up},
-                   scratch_ ? said_file() : std::filesystem::path());
+    log_info(fmt::format("baking {} to {}", obj.string(), cached_.bake.string()));
+    // Not the path with its links resolved: what stands beside a link belongs to the scene too.
+    std::vector<std::string> command{converter.string(),
+                                     "bake",
+                                     std::filesystem::absolute(obj).string(),
+                                     "-o",
+                                     cached_.bake.string(),
+                                     "--dependencies",
+                                     cached_.record.string(),
+                                     "--scale",
+                                     fmt::format("{}", scale),
+                                     "--up",
+                                     up};
+    if (output == Output::kept)
+        scratch_.emplace();
+    else if (log_level() != LogLevel::normal)
+        command.emplace_back(log_level() == LogLevel::quiet ? "--quiet" : "--verbose");
+    child_.emplace(command, scratch_ ? said_file() : std::filesystem::path());
 }
 
 bool ObjBake::done()
 {
     if (!child_) return true;
     const std::optional<int> code = child_->ended();
-    if (code) check(*code);
+    if (code) finish(*code);
     return code.has_value();
 }
 
 void ObjBake::wait()
 {
-    if (child_) check(child_->wait());
+    if (child_) finish(child_->wait());
 }
 
 std::string ObjBake::progress() const
@@ -135,6 +119,18 @@ std::string ObjBake::progress() const
 std::filesystem::path ObjBake::said_file() const
 {
     return scratch_->path() / "said";
+}
+
+void ObjBake::finish(int code)
+{
+    check(code);
+    if (finished_) return;
+    finished_ = true;
+    inputs_ = InputRecord::from_json(read_text(cached_.record), cached_.record.string());
+    if (scratch_) { // else assetconv has said them itself
+        for (const std::string& note : inputs_.notes) log_warning(note);
+    }
+    trim_bakes(cached_.bake.parent_path(), bake_cache_limit(), cached_);
 }
 
 void ObjBake::check(int code) const

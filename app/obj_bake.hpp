@@ -1,12 +1,14 @@
 #pragma once
-// OBJ files given as SCENE: baked once, kept in the cache until the file or anything beside it changes.
+// OBJ files given as SCENE: baked once, kept in the cache until a file that the bake was made from changes.
 
+#include "app/bake_cache.hpp"
 #include "app/child_process.hpp"
 #include "app/scratch_folder.hpp"
 
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace atrium::app {
 
@@ -17,7 +19,7 @@ public:
     /// What assetconv says: goes to stderr, or is kept for progress() and errors.
     enum class Output { shown, kept };
 
-    /// Throws Error.
+    /// Warnings of the bake are said on stderr in any case, also of one that the cache has. Throws Error.
     ObjBake(const std::filesystem::path& obj, double scale, const std::string& up, Output output);
 
     /// Whether the bake is there. Throws Error where it could not be made.
@@ -26,12 +28,18 @@ public:
     void wait();
     /// The last line that assetconv said.
     [[nodiscard]] std::string progress() const;
-    [[nodiscard]] const std::filesystem::path& bake() const { return bake_; }
+    [[nodiscard]] const std::filesystem::path& bake() const { return cached_.bake; }
+    /// Every file that it was made from; empty until it is there.
+    [[nodiscard]] std::vector<std::filesystem::path> inputs() const { return inputs_.files(); }
 
 private:
     [[nodiscard]] std::filesystem::path said_file() const;
+    void finish(int code);
     void check(int code) const;
-    std::filesystem::path obj_, bake_;
+    std::filesystem::path obj_;
+    CachedBake cached_;
+    InputRecord inputs_;
+    bool finished_ = false;
     std::optional<ScratchFolder> scratch_; ///< where the output is kept
     std::optional<ChildProcess> child_;
 };

@@ -47,6 +47,18 @@ CLI::Option* add_vector(CLI::App& command, const std::string& name, std::optiona
         help);
 }
 
+/// CLI11's ranges let "nan" pass.
+CLI::Validator finite()
+{
+    return CLI::Validator(
+        [](std::string& text) {
+            double value = 0;
+            const bool is_number = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
+            return is_number ? std::string() : fmt::format("takes a finite number, not \"{}\"", text);
+        },
+        "NUMBER");
+}
+
 /// Long names of all options that a command line may hold.
 std::vector<std::string> option_names(const CLI::App& app)
 {
@@ -65,29 +77,43 @@ std::vector<std::string> command_names(const CLI::App& app)
     return names;
 }
 
+/// Throws when the command line does not begin with a command: what stands after an unknown one has no meaning yet.
+void check_command(const CLI::App& app, std::span<const char* const> arguments)
+{
+    const std::vector<std::string> commands = command_names(app);
+    const std::string all = fmt::format("the commands are {}", fmt::join(commands, ", "));
+    const std::string help = fmt::format("`{} --help` lists what there is", app.get_name());
+    if (arguments.empty()) throw Error(ExitCode::usage, "no command given", app.get_name(), all, help);
+    const std::string first = arguments.front();
+    if (first.starts_with('-')) {
+        const std::vector<std::string> options = option_names(app);
+        const std::string name = first.substr(0, first.find('='));
+        if (std::find(options.begin(), options.end(), name) != options.end()) return;
+        throw Error(ExitCode::usage, fmt::format("no command stands before {}", name), app.get_name(), all,
+                    did_you_mean(name, options, "begin with a command: atrium COMMAND OPTIONS"));
+    }
+    if (std::find(commands.begin(), commands.end(), first) != commands.end()) return;
+    throw Error(ExitCode::usage, fmt::format("unknown command \"{}\"", first), app.get_name(), all,
+                did_you_mean(first, commands, help));
+}
+
 [[noreturn]] void refuse(const CLI::App& app, std::span<const char* const> arguments, const std::string& why)
 {
     const CLI::App* command = &app;
     if (!app.get_subcommands().empty()) command = app.get_subcommands().front();
     const std::vector<std::string> options = option_names(*command);
-    std::string next = fmt::format("`{} --help` lists what there is",
-                                   command == &app ? app.get_name() : app.get_name() + " " + command->get_name());
+    const std::string help = fmt::format("`{} --help` lists what there is",
+                                         command == &app ? app.get_name() : app.get_name() + " " + command->get_name());
     // The first argument that looks like an option but is none.
     for (const char* argument : arguments) {
-        const std::string word =
-            std::string_view(argument).substr(0, std::string_view(argument).find('=')).data() ? argument : "";
-        const std::string name = word.substr(0, word.find('='));
+        const std::string_view word = argument;
+        const std::string name(word.substr(0, word.find('=')));
         if (name.starts_with("--") && std::find(options.begin(), options.end(), name) == options.end()) {
             throw Error(ExitCode::usage, fmt::format("unknown option {}", name), command->get_name(),
-                        fmt::format("did you mean {}?", nearest_name(name, options)), next);
+                        did_you_mean(name, options), help);
         }
     }
-    if (command == &app && !arguments.empty()) {
-        const std::vector<std::string> commands = command_names(app);
-        throw Error(ExitCode::usage, fmt::format("\"{}\" is no command", arguments.front()), app.get_name(),
-                    fmt::format("did you mean {}?", nearest_name(arguments.front(), commands)), next);
-    }
-    throw Error(ExitCode::usage, "the command line is not complete or not understood", command->get_name(), why, next);
+    throw Error(ExitCode::usage, "the command line is not complete or not understood", command->get_name(), why, help);
 }
 
 } // namespace
@@ -118,7 +144,9 @@ void add_frame_options(CLI::App& command, FrameOptions& o)
     CLI::Option* target = add_vector(command, "--target", o.target, "point looked at X,Y,Z, m");
     eye->needs(target);
     target->needs(eye);
-    command.add_option("--fov", o.fov, "vertical field of view, degrees (60)")->check(CLI::Range(1.0, 170.0));
+    command.add_option("--fov", o.fov, "vertical field of view, degrees (60)")
+        ->check(finite())
+        ->check(CLI::Range(1.0, 170.0));
     const auto set_from = [&o](const std::string& text) {
         o.from = text == "inside" ? CameraFrom::inside : CameraFrom::outside;
     };
@@ -132,17 +160,19 @@ void add_frame_options(CLI::App& command, FrameOptions& o)
     command.add_option("--set", o.set, "a setting: key=value (see `atrium settings`)")->allow_extra_args(false);
     command.add_option("--preset", o.preset, "a named set of settings");
     command.add_option("--config", o.config, "settings from a TOML file, or those inside a picture (.png, .exr)");
-    command.add_option("--time", o.time, "scene time, s");
+    command.add_option("--time", o.time, "scene time, s")->check(finite());
 }
 
 std::optional<int> parse_command_line(CLI::App& app, int argc, const char* const* argv)
 {
+    const auto arguments = std::span(argv, static_cast<std::size_t>(argc)).subspan(argc > 0 ? 1 : 0);
+    check_command(app, arguments);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& done) {
         return app.exit(done); // --help, --version
     } catch (const CLI::ParseError& error) {
-        refuse(app, std::span(argv, static_cast<std::size_t>(argc)).subspan(1), error.what());
+        refuse(app, arguments, error.what());
     }
     return std::nullopt;
 }

@@ -4,6 +4,7 @@
 #include "app/toml_text.hpp"
 #include "renderer/core/error.hpp"
 #include "renderer/core/nearest_name.hpp"
+#include "renderer/core/output_guard.hpp"
 
 #include <fmt/format.h>
 
@@ -99,6 +100,18 @@ bool OutputPlan::is_done(std::size_t i, const ImageMetadata& metadata) const
            });
 }
 
+void OutputPlan::refuse_inputs(std::span<const std::filesystem::path> inputs) const
+{
+    for (std::size_t i = 0; i < frame_count(); ++i) {
+        if (!writes(i)) continue;
+        std::vector<OutputFile> files{{"-o", numbered_name(picture_, i)}};
+        for (const AovOutput& aov : aovs_) files.push_back({"--aov", numbered_name(aov.file, i)});
+        // Of a million frames few are there, and what is not there is no input.
+        std::erase_if(files, [](const OutputFile& f) { return !std::filesystem::exists(f.file); });
+        refuse_overwriting(files, inputs);
+    }
+}
+
 void OutputPlan::check_writable() const
 {
     std::vector<std::filesystem::path> files{picture_};
@@ -130,7 +143,7 @@ CameraPath find_path(const std::string& name, const SceneFile& file)
     std::vector<std::string> names;
     for (const auto& [path, keys] : file.paths) names.push_back(path);
     throw Error(ExitCode::usage, fmt::format("no camera path is called \"{}\"", name), "--path",
-                names.empty() ? "the scene has none" : fmt::format("did you mean \"{}\"?", nearest_name(name, names)),
+                names.empty() ? "the scene has none" : suggest_name(name, names),
                 "paths stand in a scene file as [path.NAME]");
 }
 

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,8 @@ public:
     /// Whether all files of the frame are there, whole, with this metadata.
     [[nodiscard]] bool is_done(std::size_t i, const ImageMetadata& metadata) const;
     [[nodiscard]] const std::vector<AovOutput>& aovs() const { return aovs_; }
+    /// Throws Error(usage) when one of its files is one of `inputs`.
+    void refuse_inputs(std::span<const std::filesystem::path> inputs) const;
     /// Throws Error(environment) when a folder is missing, before anything is drawn.
     void check_writable() const;
     void write(std::size_t i, const FrameResult& frame, const ImageMetadata& metadata) const;

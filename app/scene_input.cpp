@@ -1,5 +1,6 @@
 #include "app/scene_input.hpp"
 
+#include "app/bake_cache.hpp"
 #include "app/config.hpp"
 #include "app/obj_bake.hpp"
 #include "app/presets.hpp"
@@ -41,7 +42,7 @@ std::uint32_t find_mesh(const BakeFile& bake, const std::string& name)
         names.push_back(mesh.name);
     }
     throw Error(ExitCode::input, fmt::format("no mesh is called \"{}\"", name), bake.path().string(),
-                fmt::format("did you mean \"{}\"?", nearest_name(name, names)), "`assetconv info` lists the meshes");
+                suggest_name(name, names), "`assetconv info` lists the meshes");
 }
 
 /// Index of the bake at `path`, opened when it is the first time.
@@ -73,13 +74,18 @@ SceneDescription SceneInput::description() const
 SceneInput read_scene_input(const SceneOptions& o, const FrameOptions& frame)
 {
     SceneInput in;
-    if (!frame.config.empty()) in.config = read_config(frame.config);
+    in.files.push_back(o.scene);
+    if (!frame.config.empty()) {
+        in.config = read_config(frame.config);
+        in.files.push_back(frame.config);
+    }
     if (lower_extension(o.scene) == ".toml") {
         in.file = read_scene_file(o.scene);
     } else if (is_obj(o.scene)) {
         ObjBake bake(o.scene, o.bake_scale, o.bake_up, ObjBake::Output::shown);
         bake.wait();
         in.file.bake = bake.bake();
+        for (std::filesystem::path& file : bake.inputs()) in.files.push_back(std::move(file));
     } else {
         in.file.bake = o.scene;
     }
@@ -92,6 +98,7 @@ SceneInput read_scene_input(const SceneOptions& o, const FrameOptions& frame)
         instance.world_from_object = world_from_object(entry);
         in.instances.push_back(instance);
     }
+    for (const auto& bake : in.bakes) in.files.push_back(bake->path());
     find_camera(in, frame);
     return in;
 }
@@ -142,6 +149,7 @@ std::vector<Light> collect_lights(const FrameOptions& o, const SceneInput& scene
 Camera choose_camera(const FrameOptions& o, const SceneInput& scene)
 {
     Camera camera;
+    bool drawn_before = false; // on a path, the eye may meet its target: so it was drawn, so it is drawn again
     const auto& cameras = scene.file.cameras;
     if (o.eye) {
         camera.eye = *o.eye;
@@ -153,20 +161,20 @@ Camera choose_camera(const FrameOptions& o, const SceneInput& scene)
             std::vector<std::string> names;
             for (const auto& [name, unused] : cameras) names.push_back(name);
             throw Error(ExitCode::usage, fmt::format("no camera is called \"{}\"", o.camera), "--camera",
-                        names.empty() ? "the scene names no cameras"
-                                      : fmt::format("did you mean \"{}\"?", nearest_name(o.camera, names)),
+                        names.empty() ? "the scene names no cameras" : suggest_name(o.camera, names),
                         "name cameras in a scene file ([camera.NAME]), or use --eye and --target");
         }
         camera = found->second;
     } else if (scene.config.camera) {
         camera = *scene.config.camera;
+        drawn_before = true;
     } else if (!cameras.empty()) {
         camera = cameras.front().second;
     } else {
         camera = scene.found.value().camera;
     }
     if (o.fov) camera.fov = *o.fov;
-    if (camera.eye == camera.target) {
+    if (camera.eye == camera.target && !drawn_before) {
         throw Error(ExitCode::usage, "the camera looks at the point it stands in", "--eye, --target",
                     "there is no direction between them", "move one of them");
     }

@@ -21,9 +21,10 @@ struct FoundCamera {
 struct SceneInput {
     std::vector<std::unique_ptr<BakeFile>> bakes; ///< the first is the scene's own
     std::vector<Instance> instances;
-    SceneFile file;     ///< empty but for its bake when SCENE is no scene file
-    FrameConfig config; ///< of --config
-    std::optional<FoundCamera> found; ///< where neither the options nor the scene give one
+    SceneFile file;                           ///< empty but for its bake when SCENE is no scene file
+    FrameConfig config;                       ///< of --config
+    std::vector<std::filesystem::path> files; ///< all that were read for it: none of them may be an output
+    std::optional<FoundCamera> found;         ///< where neither the options nor the scene give one
     [[nodiscard]] SceneDescription description() const;
 };
 
@@ -67,9 +68,6 @@ private:
 /// The exit code of a command that has drawn: 0. Throws Error(internal) where validation had something to say: one
 /// message fails a run, whatever was drawn.
 [[nodiscard]] int verdict(const Engine& engine);
-
-/// $XDG_CACHE_HOME/atrium, or ~/.cache/atrium; empty when neither variable is set.
-[[nodiscard]] std::filesystem::path cache_folder();
 
 /// By its ending.
 [[nodiscard]] bool is_obj(const std::filesystem::path& scene);

@@ -2,11 +2,14 @@
 
 #include "app/toml_text.hpp"
 #include "renderer/core/atomic_file.hpp"
+#include "renderer/core/output_guard.hpp"
 #include "renderer/core/text_value.hpp"
 
 #include <fmt/format.h>
 
+#include <array>
 #include <system_error>
+#include <vector>
 
 namespace atrium::app {
 namespace {
@@ -76,6 +79,9 @@ std::string scene_toml(const SceneFile& scene, const fs::path& folder)
 
 void write_scene_file(const fs::path& file, const SceneFile& scene)
 {
+    std::vector<fs::path> bakes{scene.bake};
+    for (const InstanceEntry& instance : scene.instances) bakes.push_back(instance.bake);
+    refuse_overwriting(std::array{OutputFile{"scene file", file}}, bakes);
     write_text_file(file, scene_toml(scene, file.has_parent_path() ? file.parent_path() : "."));
 }
 

@@ -11,7 +11,7 @@ namespace atrium::app {
 /// The scene as a file that stands in `folder`: bakes below it are named relative to it, others by their whole path.
 [[nodiscard]] std::string scene_toml(const SceneFile& scene, const std::filesystem::path& folder);
 
-/// Throws Error(environment).
+/// Throws Error(environment), or Error(usage) where the file is one of the bakes that the scene names.
 void write_scene_file(const std::filesystem::path& file, const SceneFile& scene);
 
 /// Every setting that some device would not have by default, so that the file means the same on all of them.

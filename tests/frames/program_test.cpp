@@ -1,6 +1,7 @@
 // The programs as users call them: exit codes, files and messages.
 
-#include "app/child_process.hpp"
+#include "program_rig.hpp"
+
 #include "renderer/core/image.hpp"
 #include "tests/rig/frame_rig.hpp"
 #include "tests/truth/scene_builder.hpp"
@@ -12,43 +13,14 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cstdio>
 #include <fstream>
-#include <sstream>
 
 namespace atrium {
 namespace {
 
-struct Outcome {
-    int code = 0;
-    std::string output; ///< stdout and stderr
-};
-
-std::string quoted(const std::string& word)
-{
-    return fmt::format("'{}'", word);
-}
-
-Outcome atrium(const std::vector<std::string>& arguments)
-{
-    std::string command = quoted((app::this_program().parent_path() / "atrium").string());
-    for (const std::string& word : arguments) command += " " + quoted(word);
-    Outcome outcome;
-    FILE* pipe = popen((command + " 2>&1").c_str(), "r"); // NOLINT: the words are the test's own
-    std::array<char, 4096> buffer{};
-    while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe)) outcome.output.append(buffer.data(), n);
-    const int status = pclose(pipe);
-    outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    return outcome;
-}
-
-std::string text_of(const std::filesystem::path& file)
-{
-    std::ifstream in(file);
-    std::ostringstream out;
-    out << in.rdbuf();
-    return out.str();
-}
+using test::atrium;
+using test::Outcome;
+using test::text_of;
 
 std::filesystem::path in_folder(const std::string& name)
 {
@@ -140,8 +112,12 @@ TEST(program, wrong_use_ends_with_2_and_names_the_nearest)
 {
     const std::string png = in_folder("wrong.png").string();
     const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
-        {{"frobnicate"}, ""},
-        {{"rendr"}, "render"},
+        {{}, "render"},
+        {{"frobnicate"}, "unknown command \"frobnicate\""},
+        {{"rendr", "x", "--size", "64x36"}, "unknown command \"rendr\""},
+        {{"rendr", "x", "--size", "64x36"}, "did you mean \"render\"?"},
+        {{"--size", "64x36", "render"}, "--size"},
+        {{"render", court(), "-o", png, "--set", "shadow.filter=temporal"}, "off, hard, pcf"},
         {{"render", court(), "-o", png, "--sizee", "64x36"}, "--size"},
         {{"render", court(), "-o", png, "--size", "64"}, "WxH"},
         {{"render", court(), "-o", png, "--set", "tonemap.oprator=aces"}, "tonemap.operator"},
@@ -199,6 +175,40 @@ TEST(program, a_picture_carries_what_draws_it_again)
     const std::string text = metadata.at("atrium");
     EXPECT_NE(text.find("lamp"), std::string::npos);
     EXPECT_EQ(text.find("first.png"), std::string::npos) << "no output name, so that equal pictures are equal files";
+}
+
+TEST(program, a_picture_is_drawn_again_from_whatever_it_says)
+{
+    // Values at the ends of what the program takes, and beyond what a scene file may say.
+    const std::vector<std::vector<std::string>> cases{
+        {"--eye", "5e6,2e7,-3e6", "--target", "5e6,1.9e7,-0", "--fov", "170"},
+        {"--eye", "3.4028235e38,1e-45,-1e-7", "--target", "0,-0,9500000000000000", "--fov", "1"},
+        {"--time", "0.1", "--eye", "-8,1.7,0.5", "--target", "8,2.5,0", "--fov", "59.999996"},
+        {"--time", "-12345678.000000123", "--no-lights"},
+        {"--time", "9007199254740993", "--size", "1x16"},
+        {"--time", "1e300", "--set", "camera.near=1e-7", "--set", "exposure.ev100=0.1"},
+        {"--light", "sun,direction=1e6:-1e6:1e-3,illuminance=1e9,angle=90,name=\"a\\b #ä\""},
+        {"--light", "spot,position=-1e6:1e6:0.1,inner=80,outer=80,intensity=0,size=0.0001,range=1e6,color=0:1e9:1e-9",
+         "--light", "rect,position=-0:0:0,up=0:1e-6:0,width=10000,height=0.0001,radiance=1e9,shadow=off"},
+        // A CPU device has another default: only a picture that says so gets these again.
+        {"--set", "texture.anisotropy=8", "--set", "shadow.samples=32"},
+    };
+    const std::string first = in_folder("ends.png").string(), second = in_folder("ends2.png").string();
+    for (const std::vector<std::string>& options : cases) {
+        std::vector<std::string> arguments{"render", court(), "-o", first, "--set", "sky.zenith=0.1:0.2:0.9"};
+        if (std::find(options.begin(), options.end(), "--size") == options.end())
+            arguments.insert(arguments.end(), {"--size", "16x9"});
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const Outcome drawn = atrium(arguments);
+        ASSERT_EQ(drawn.code, 0) << options[1] << drawn.output;
+        const Outcome again = atrium({"render", court(), "-o", second, "--config", first});
+        ASSERT_EQ(again.code, 0) << options[1] << again.output;
+        EXPECT_EQ(text_of(first), text_of(second)) << options[1];
+    }
+    for (const char* option : {"--time", "--fov", "--dt"}) { // no picture could say it
+        for (const char* value : {"nan", "inf"})
+            EXPECT_EQ(atrium({"render", court(), "-o", first, option, value}).code, 2) << option << " " << value;
+    }
 }
 
 TEST(program, frames_are_numbered_and_resumed)
