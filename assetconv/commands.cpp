@@ -20,6 +20,7 @@
 #include <cstdio>
 #include <memory>
 #include <span>
+#include <system_error>
 #include <utility>
 
 namespace atrium {
@@ -146,7 +147,9 @@ private:
     void write_dependencies(const std::filesystem::path& output, InputRecord inputs,
                             const std::vector<std::string>& warnings) const
     {
-        inputs.add_file(std::filesystem::read_symlink("/proc/self/exe")); // another assetconv may bake another way
+        std::error_code unknown;
+        inputs.add_file(
+            std::filesystem::read_symlink("/proc/self/exe", unknown)); // another assetconv bakes another way
         inputs.result = hash64(std::as_bytes(std::span(BakeFile(output).table())));
         inputs.notes = warnings;
         write_text_file(dependencies_, inputs.to_json());
