@@ -140,8 +140,8 @@ void draw_tooltip(const std::string& text)
 
 bool draw_reset(const Setting& s, bool is_cpu)
 {
+    if (s.is_default(is_cpu)) return false;
     const std::string& text = default_of(s, is_cpu);
-    if (s.get() == text) return false;
     ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::GetFrameHeight());
     const bool pressed = ImGui::ArrowButton("##reset", ImGuiDir_Left);
     draw_tooltip(fmt::format("Back to {}", text.empty() ? "no text" : text));
@@ -206,7 +206,7 @@ DrawnSettings draw_settings(const SettingList& list, std::string_view filter, bo
         int differing = 0;
         for (std::size_t i = begin; i < end; ++i) {
             if (matches_filter(all[i], filter)) shown.push_back(&all[i]);
-            differing += all[i].get() != default_of(all[i], is_cpu) ? 1 : 0;
+            differing += all[i].is_default(is_cpu) ? 0 : 1;
         }
         if (shown.empty()) continue;
         any = true;

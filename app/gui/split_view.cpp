@@ -36,14 +36,16 @@ std::string side_text(const char* side, double ms)
 
 std::vector<std::string> differences(const Settings& first, const Settings& second)
 {
+    if (same_settings(first, second)) return {};
     Settings a = first, b = second; // which lists are bound to
     SettingList left, right;
     describe(left, a);
     describe(right, b);
     std::vector<std::string> out;
     for (std::size_t i = 0; i < left.all().size(); ++i) {
-        const std::string before = left.all()[i].get(), after = right.all()[i].get();
-        if (before != after) out.push_back(fmt::format("{}: {} | {}", left.all()[i].key, before, after));
+        const Setting &before = left.all()[i], &after = right.all()[i];
+        if (before.value() != after.value())
+            out.push_back(fmt::format("{}: {} | {}", before.key, before.get(), after.get()));
     }
     return out;
 }

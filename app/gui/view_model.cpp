@@ -6,6 +6,7 @@
 #include "renderer/core/error.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -46,7 +47,12 @@ void ViewModel::reset(const Settings& new_settings, const Camera& new_camera, st
 
 ViewModel::Snapshot ViewModel::now() const
 {
-    return {settings, list.differing(), lights, materials};
+    return {settings, lights, materials};
+}
+
+bool ViewModel::edited() const
+{
+    return !same_settings(settings, last_.settings) || lights != last_.lights || materials != last_.materials;
 }
 
 void ViewModel::restore(const Snapshot& snapshot)
@@ -61,22 +67,21 @@ void ViewModel::restore(const Snapshot& snapshot)
 void ViewModel::checkpoint()
 {
     constexpr std::size_t most_steps = 500;
-    Snapshot present = now();
-    if (present == last_) return;
+    if (!edited()) return;
     past_.push_back(std::move(last_));
     if (past_.size() > most_steps) past_.pop_front();
     future_.clear();
-    last_ = std::move(present);
+    last_ = now();
 }
 
 bool ViewModel::can_undo() const
 {
-    return !past_.empty() || now() != last_;
+    return !past_.empty() || edited();
 }
 
 bool ViewModel::can_redo() const
 {
-    return !future_.empty() && now() == last_;
+    return !future_.empty() && !edited();
 }
 
 void ViewModel::undo()

@@ -13,7 +13,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace atrium::gui {
@@ -118,18 +117,14 @@ public:
     void set_material(std::size_t index, const Material& wanted);
 
 private:
-    using Texts = std::vector<std::pair<std::string, std::string>>;
     struct Snapshot {
         Settings settings;
-        Texts texts; ///< of settings that differ from their defaults: what is compared
         std::vector<Light> lights;
         std::vector<MaterialOverride> materials;
-        bool operator==(const Snapshot& other) const
-        {
-            return texts == other.texts && lights == other.lights && materials == other.materials;
-        }
     };
     [[nodiscard]] Snapshot now() const;
+    /// Whether something differs from the last checkpoint, undo or redo.
+    [[nodiscard]] bool edited() const;
     void restore(const Snapshot& snapshot);
     void select(std::size_t index);
     [[nodiscard]] std::string free_light_name() const;

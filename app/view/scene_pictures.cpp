@@ -1,11 +1,8 @@
 #include "app/view/scene_pictures.hpp"
 
-#include "app/config.hpp"
 #include "app/gui/graph_images.hpp"
 #include "app/gui/inset_layout.hpp"
 #include "renderer/core/error.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -78,19 +75,24 @@ Insets ScenePictures::wanted_insets(const Look& look) const
     return wanted;
 }
 
-std::string ScenePictures::state_text(const Settings& settings, const Look& look) const
+ScenePictures::Source ScenePictures::source_now(const Settings& settings, const Look& look) const
 {
-    std::string text;
-    for (const Inset& inset : wanted_insets(look).buffers) {
-        BufferViewSettings view = inset.view;
-        SettingList keys;
-        describe(keys, view);
-        text += aov_name(inset.aov, model_.lights);
-        for (const Setting& key : keys.all()) text += key.get();
-    }
-    for (const auto& [key, value] : describe_frame(wanted_frame(settings, {16, 9}), 0)) text += key + value;
-    if (look.outlined) text += fmt::format("outlined = {}", *look.outlined);
-    return text;
+    Source now{settings, model_.camera, model_.lights, model_.materials, {}, look.outlined, look.pixels, look.scale};
+    if (look.insets) now.insets = model_.pinned;
+    return now;
+}
+
+bool ScenePictures::is_still(const Source& source, const Settings& settings, const Look& look) const
+{
+    static const std::vector<gui::PinnedBuffer> none;
+    const std::vector<gui::PinnedBuffer>& insets = look.insets ? model_.pinned : none;
+    const auto same_inset = [](const gui::PinnedBuffer& a, const gui::PinnedBuffer& b) {
+        return a.name == b.name && same_settings(a.view, b.view);
+    };
+    return source.pixels == look.pixels && source.scale == look.scale && source.outlined == look.outlined &&
+           source.camera == model_.camera && same_settings(source.settings, settings) &&
+           source.lights == model_.lights && source.materials == model_.materials &&
+           std::equal(source.insets.begin(), source.insets.end(), insets.begin(), insets.end(), same_inset);
 }
 
 FrameRequest ScenePictures::wanted_picture(uvec2 size) const
@@ -113,8 +115,8 @@ std::optional<std::string> ScenePictures::draw_side(PictureSlot slot, const Look
     const bool main = slot == PictureSlot::main;
     const Settings& settings = main ? model_.settings : model_.split->other;
     Kept& kept = kept_[main ? 0 : 1];
-    const std::string wanted = state_text(settings, look);
-    const bool same = wanted == kept.state && look.pixels == kept.pixels;
+    const bool first = !kept.source;
+    const bool same = !first && is_still(*kept.source, settings, look);
     const float chosen = model_.settings.view.moving_scale;
     const double goal_ms = model_.split ? 0.5 * moving_goal_ms : moving_goal_ms;
     const float share = look.moving && !same ? (chosen > 0 ? chosen : moving_scale_.choose(goal_ms)) : 1;
@@ -131,15 +133,12 @@ std::optional<std::string> ScenePictures::draw_side(PictureSlot slot, const Look
     request.want_graph = main;
     request.want_statistics = share == 1;
     request.remember = share < 1; // what stands is drawn as `render` draws it, whatever was before
-    const bool first = main && kept.state.empty();
-    kept.state = wanted;
-    kept.pixels = look.pixels;
-    kept.share = share;
+    kept = {source_now(settings, look), share, kept.frames};
     FrameResult frame;
     try {
         frame = engine_.render(request);
     } catch (const Error& error) { // such as a view that does not exist: what was shown before stays
-        if (first) throw;
+        if (main && first) throw;
         kept.share = 1;
         return error.text();
     }

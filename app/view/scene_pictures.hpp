@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace atrium::app {
 
@@ -56,16 +57,27 @@ public:
     [[nodiscard]] FrameRequest wanted_picture(uvec2 size) const;
 
 private:
+    /// What a picture was drawn from.
+    struct Source {
+        Settings settings;
+        Camera camera;
+        std::vector<Light> lights;
+        std::vector<MaterialOverride> materials;
+        std::vector<gui::PinnedBuffer> insets;
+        std::optional<std::uint32_t> outlined;
+        uvec2 pixels{0}; ///< of the window
+        float scale = 1; ///< of the interface
+    };
     struct Kept {
-        std::string state;        ///< state_text() of what it shows
-        uvec2 pixels{0};          ///< of the window for which it was drawn
-        float share = 0;          ///< of them along each side
-        std::uint64_t frames = 0; ///< drawn so far
+        std::optional<Source> source; ///< none: there is no picture yet
+        float share = 0;              ///< of the window's pixels along each side
+        std::uint64_t frames = 0;     ///< drawn so far
     };
     [[nodiscard]] FrameRequest wanted_frame(const Settings& settings, uvec2 size) const;
     [[nodiscard]] Insets wanted_insets(const Look& look) const;
-    /// Differs where pictures do.
-    [[nodiscard]] std::string state_text(const Settings& settings, const Look& look) const;
+    [[nodiscard]] Source source_now(const Settings& settings, const Look& look) const;
+    /// Whether a picture drawn now would be drawn from the same. Compares in place: it is asked in every frame.
+    [[nodiscard]] bool is_still(const Source& source, const Settings& settings, const Look& look) const;
     /// `before`: the camera of what stands.
     [[nodiscard]] std::optional<std::string> draw_side(PictureSlot slot, const Look& look, const Camera& before);
     void tell(FrameResult frame, const FrameRequest& request);

@@ -87,6 +87,15 @@ std::string Setting::get() const
                       field);
 }
 
+Setting::Value Setting::value() const
+{
+    return std::visit(Overloaded{
+                          [](const EnumField& e) { return Value(e.get(e.value)); },
+                          [](const auto* value) { return Value(*value); },
+                      },
+                      field);
+}
+
 std::optional<Setting::Refusal> Setting::set_text(std::string_view text) const
 {
     return std::visit(
@@ -126,11 +135,14 @@ void SettingList::add(std::string_view name, std::string_view help, Setting sett
     }
     setting.default_text = setting.get();
     if (setting.cpu_default.empty()) setting.cpu_default = setting.default_text;
-    for (const std::string& text : {setting.cpu_default, setting.default_text}) { // the default last: it stays
+    const auto take_default = [&](const std::string& text) {
         if (const auto refusal = setting.set_text(text)) {
             throw std::logic_error(fmt::format("the default {} of {}: {}", text, setting.key, refusal->why));
         }
-    }
+        return setting.value();
+    };
+    setting.cpu_value = take_default(setting.cpu_default);
+    setting.default_value = take_default(setting.default_text); // the default last: it stays
     settings_.push_back(std::move(setting));
 }
 
@@ -187,9 +199,7 @@ std::vector<std::pair<std::string, std::string>> SettingList::differing() const
 {
     std::vector<std::pair<std::string, std::string>> out;
     for (const Setting& setting : settings_) {
-        if (std::string text = setting.get(); text != setting.default_text) {
-            out.emplace_back(setting.key, std::move(text));
-        }
+        if (!setting.is_default(false)) out.emplace_back(setting.key, setting.get());
     }
     return out;
 }

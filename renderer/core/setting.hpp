@@ -58,10 +58,12 @@ struct EnumField {
 
 /// One setting, bound to the live field it was described with, which must outlive it.
 struct Setting {
+    using Value = std::variant<bool, int, float, std::string, vec3>; ///< of an enum: its index
     std::string key, group_title, unit, help;
     std::optional<Range> range;
     std::vector<std::string> values; ///< of an enum; of text, those that offer() said
     std::string default_text, cpu_default;
+    Value default_value, cpu_value; ///< the same defaults as values
     Keys keys;
     std::variant<bool*, int*, float*, std::string*, vec3*, EnumField> field;
 
@@ -69,6 +71,9 @@ struct Setting {
     [[nodiscard]] const char* type() const;
     /// The value as --set takes it; set_text(get()) changes nothing.
     [[nodiscard]] std::string get() const;
+    [[nodiscard]] Value value() const;
+    /// Whether the field has its default, on a CPU device that of one. Makes no text.
+    [[nodiscard]] bool is_default(bool is_cpu) const { return value() == (is_cpu ? cpu_value : default_value); }
     /// What is wrong with `text` (and the advice), or nothing, and then the field is changed.
     struct Refusal {
         std::string why, next;
@@ -153,6 +158,46 @@ void bind(Setting& setting, T& value)
 }
 
 } // namespace detail
+
+namespace detail {
+
+/// The visitor that notes where the fields of a struct are.
+struct FieldAddresses {
+    std::vector<const void*> fields; ///< in order of description
+    void group(std::string_view /*prefix*/, std::string_view /*title*/) {}
+    template <class T, class... Extra>
+    void operator()(std::string_view /*name*/, T& value, std::string_view /*help*/, const Extra&... /*extra*/)
+    {
+        fields.push_back(&value);
+    }
+};
+
+/// The visitor that compares the fields of a struct with those of another one of its type.
+struct FieldComparison {
+    const std::vector<const void*>& others;
+    std::size_t next = 0;
+    bool same = true;
+    void group(std::string_view /*prefix*/, std::string_view /*title*/) {}
+    template <class T, class... Extra>
+    void operator()(std::string_view /*name*/, T& value, std::string_view /*help*/, const Extra&... /*extra*/)
+    {
+        same = same && *static_cast<const T*>(others[next++]) == value;
+    }
+};
+
+} // namespace detail
+
+/// Whether two structs have equal values in all fields that describe() lists. Makes no texts: it is asked in every
+/// frame of the window.
+template <class S>
+[[nodiscard]] bool same_settings(const S& a, const S& b)
+{
+    detail::FieldAddresses of_a;
+    describe(of_a, const_cast<S&>(a)); // which changes nothing: the visitors only read
+    detail::FieldComparison comparison{of_a.fields};
+    describe(comparison, const_cast<S&>(b));
+    return comparison.same;
+}
 
 template <class T, class C>
 void SettingList::extend(Setting& setting, const Cpu<C>& cpu)

@@ -136,6 +136,28 @@ TEST_F(setting_list, cpu_defaults_and_what_differs)
     EXPECT_EQ(list.differing(), expected);
 }
 
+TEST_F(setting_list, structs_are_compared_field_by_field)
+{
+    SomeSettings other;
+    EXPECT_TRUE(same_settings(s, other));
+    const std::vector<std::pair<const char*, const char*>> changes{
+        {"normal_mapping", "off"}, {"ao.method", "ssao"},          {"ao.radius", "0.6000001"},
+        {"ao.samples", "19"},      {"ambient.sky", "0.5:0.6:1.5"}, {"ambient.view", "hdr "}};
+    ASSERT_EQ(changes.size(), list.all().size());
+    for (const auto& [key, text] : changes) {
+        EXPECT_TRUE(list.find(key)->is_default(false)) << key;
+        set(key, text);
+        EXPECT_FALSE(same_settings(s, other)) << key;
+        EXPECT_FALSE(same_settings(other, s)) << key;
+        EXPECT_FALSE(list.find(key)->is_default(false)) << key;
+        EXPECT_EQ(list.differing().size(), 1u) << key;
+        s = other;
+        EXPECT_TRUE(same_settings(s, other)) << key;
+    }
+    set("ao.samples", "8");
+    EXPECT_TRUE(list.find("ao.samples")->is_default(true));
+}
+
 TEST_F(setting_list, toml_holds_everything)
 {
     EXPECT_EQ(list.to_toml(), R"([settings]

@@ -1,7 +1,9 @@
 #include "app/gui/view_model.hpp"
 
+#include "renderer/core/text_value.hpp"
 #include "tests/core/expect_error.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -93,6 +95,52 @@ TEST_F(view_model, an_edit_without_its_checkpoint_is_a_step_too)
     EXPECT_TRUE(model.can_redo());
     model.redo();
     EXPECT_EQ(model.settings.ao.samples, 4);
+}
+
+/// Another value that the setting takes.
+std::string another_value(const Setting& s)
+{
+    const std::string type = s.type();
+    if (type == "bool") return s.get() == "on" ? "off" : "on";
+    if (type == "enum") return s.values.size() > 1 ? s.values[s.get() == s.values[0] ? 1 : 0] : "";
+    if (type == "vec3") return "0.125:0.25:0.375";
+    if (type == "string") return "depth";
+    if (!s.range) return "0.125";
+    const auto text = [&](float v) { return type == "int" ? fmt::format("{}", static_cast<int>(v)) : to_text(v); };
+    return s.get() == text(s.range->max) ? text(s.range->min) : text(s.range->max);
+}
+
+TEST_F(view_model, an_edit_of_any_setting_is_a_step)
+{
+    std::size_t edited = 0;
+    for (const Setting& s : model.list.all()) {
+        const std::string before = s.get(), after = another_value(s);
+        if (after.empty()) {
+            EXPECT_EQ(s.values.size(), 1u) << s.key;
+            continue;
+        }
+        ASSERT_FALSE(s.set_text(after).has_value()) << s.key << " = " << after;
+        ASSERT_TRUE(model.can_undo()) << s.key;
+        model.checkpoint();
+        ASSERT_TRUE(model.can_undo()) << s.key;
+        model.undo();
+        EXPECT_EQ(s.get(), before) << s.key;
+        EXPECT_FALSE(model.can_undo()) << s.key;
+        ++edited;
+    }
+    EXPECT_GT(edited, 40u);
+}
+
+TEST_F(view_model, an_edit_of_a_material_is_a_step)
+{
+    model.materials = {{"brick", {{"roughness", "0.5"}}}};
+    EXPECT_TRUE(model.can_undo());
+    model.checkpoint();
+    model.materials[0].values[0].second = "0.6";
+    EXPECT_TRUE(model.can_undo());
+    model.undo();
+    ASSERT_EQ(model.materials.size(), 1u);
+    EXPECT_EQ(model.materials[0].values[0].second, "0.5");
 }
 
 TEST_F(view_model, a_new_edit_forgets_what_was_undone)
