@@ -50,6 +50,7 @@ TEST(vertices, tangent_and_bitangent_follow_the_image)
     const BakeData bake =
         bake_text(folder, "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 0 1\nvt 1 1\nvt 1 0\nvn 0 0 1\n"
                           "f 1/1/1 2/2/1 3/3/1 4/4/1\n");
+    ASSERT_EQ(bake.vertices.size(), 4u);
     for (const Vertex& v : bake.vertices) {
         const vec4 t = unpack_tangent(v.tangent);
         const vec3 n = unpack_normal(v.normal);

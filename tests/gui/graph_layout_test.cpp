@@ -52,9 +52,12 @@ std::size_t crossings(const std::vector<vec2>& corners, const RandomGraph& graph
 
 TEST(graph_layout, no_boxes_overlap_and_every_edge_goes_to_the_right)
 {
+    std::size_t edges = 0;
     for (unsigned seed = 0; seed < 200; ++seed) {
         const RandomGraph graph(seed);
         const std::vector<vec2> at = lay_out_graph(graph.sizes, graph.edges, gaps);
+        ASSERT_EQ(at.size(), graph.sizes.size());
+        edges += graph.edges.size();
         for (std::size_t i = 0; i < at.size(); ++i) {
             EXPECT_GE(at[i].x, 0);
             EXPECT_GE(at[i].y, 0);
@@ -67,6 +70,7 @@ TEST(graph_layout, no_boxes_overlap_and_every_edge_goes_to_the_right)
         for (const GraphEdge& e : graph.edges)
             EXPECT_GE(at[e.to].x, at[e.from].x + graph.sizes[e.from].x + gaps.x - 0.1f) << seed;
     }
+    EXPECT_GT(edges, 400u);
 }
 
 TEST(graph_layout, is_the_same_each_time)
