@@ -1,6 +1,7 @@
 #include "renderer/gpu_scene.hpp"
 
 #include "renderer/core/error.hpp"
+#include "renderer/core/log.hpp"
 
 #include <fmt/format.h>
 
@@ -9,6 +10,7 @@
 #include <cstring>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 namespace atrium {
 namespace {
@@ -77,6 +79,22 @@ Bounds transformed(const Bounds& b, const mat4& m)
 }
 
 } // namespace
+
+std::string triangle_culling_refusal(const gpu::DeviceReport& device, const TriangleBytes& bytes)
+{
+    constexpr double mebibyte = 1 << 20;
+    if (!device.optional.subgroup_ballot)
+        return "culling.triangles has no effect: the device has no subgroup ballots in compute shaders";
+    for (const auto& [what, size] : {std::pair{"vertices", bytes.vertices}, std::pair{"indices", bytes.indices},
+                                     std::pair{"indices of all instances", bytes.task_indices}}) {
+        if (size > device.storage_range)
+            return fmt::format("culling.triangles has no effect: the scene's {} take {:.0f} MiB, and shaders of this "
+                               "device reach {:.0f} MiB of a buffer",
+                               what, static_cast<double>(size) / mebibyte,
+                               static_cast<double>(device.storage_range) / mebibyte);
+    }
+    return "";
+}
 
 /// Where each bake's items begin in the common tables.
 struct GpuScene::Bases {
@@ -249,6 +267,11 @@ void GpuScene::write_tables(std::span<const shared::GpuCluster> clusters)
 {
     std::vector<shared::DrawTask> tasks;
     for (const Task& task : sorted_) tasks.push_back(task.draw);
+    if (tasks.size() * sizeof(shared::DrawCommand) > device_.report().storage_range) {
+        throw Error(ExitCode::environment, "the scene has too many clusters times instances", "",
+                    fmt::format("{} draw commands exceed what shaders of this device reach of a buffer", tasks.size()),
+                    "use fewer instances");
+    }
     task_count_ = static_cast<std::uint32_t>(tasks.size());
     material_table_ = make_table<shared::GpuMaterial>(device_, "materials", packed_);
     records_ = make_table<shared::GpuRecord>(device_, "records", record_table_);
@@ -261,10 +284,11 @@ void GpuScene::write_tables(std::span<const shared::GpuCluster> clusters)
     descriptors_.set_frame_buffer(gpu::FrameBinding::clusters, clusters_);
     descriptors_.set_frame_buffer(gpu::FrameBinding::draw_tasks, tasks_);
     descriptors_.set_frame_buffer(gpu::FrameBinding::draw_order, order_);
-    const std::uint64_t largest = std::max({vertices_.size(), indices_.size(), task_indices_ * sizeof(std::uint32_t)});
-    constexpr std::size_t most_groups = 65535; // of a dispatch, on every device: culling triangles takes one a task
-    if (device_.report().optional.subgroup_ballot && largest <= device_.report().storage_range &&
-        tasks.size() <= most_groups) {
+    note_ = triangle_culling_refusal(device_.report(),
+                                     {vertices_.size(), indices_.size(), task_indices_ * sizeof(std::uint32_t)});
+    if (!note_.empty()) {
+        log_warning(note_);
+    } else {
         subgroup_size_ = device_.report().subgroup_size;
         descriptors_.set_frame_buffer(gpu::FrameBinding::vertices, vertices_);
         descriptors_.set_frame_buffer(gpu::FrameBinding::indices, indices_);

@@ -11,6 +11,7 @@
 #include "shaders/shared/scene.h"
 
 #include <span>
+#include <string>
 #include <vector>
 
 namespace atrium {
@@ -21,6 +22,15 @@ struct Instance {
     std::optional<std::uint32_t> mesh; ///< all when empty
     mat4 world_from_object{1};
 };
+
+/// Bytes of what culling single triangles reads and writes, each through one binding.
+struct TriangleBytes {
+    std::uint64_t vertices = 0, indices = 0;
+    std::uint64_t task_indices = 0; ///< a copy of the indices of every instance
+};
+
+/// Why the device cannot cull single triangles of such a scene, in one line; empty: it can.
+[[nodiscard]] std::string triangle_culling_refusal(const gpu::DeviceReport& device, const TriangleBytes& bytes);
 
 class GpuScene {
 public:
@@ -45,6 +55,9 @@ public:
     /// holes. What floor.gbuffer draws.
     [[nodiscard]] const gpu::Buffer& whole_meshes() const { return whole_meshes_; }
     [[nodiscard]] std::span<const DrawRange> whole_mesh_ranges() const { return whole_ranges_; }
+
+    /// What has no effect with this scene on this device, and why, in one line; empty: everything has.
+    [[nodiscard]] const std::string& note() const { return note_; }
 
     [[nodiscard]] const Bounds& bounds() const { return bounds_; } ///< of all instances, world
     /// As bakes and the scene's overrides have them. Their index is the AOV `material`.
@@ -106,6 +119,7 @@ private:
     std::uint32_t task_count_ = 0;
     std::uint64_t task_indices_ = 0;
     std::uint32_t subgroup_size_ = 0;
+    std::string note_;
     Bounds bounds_;
 };
 

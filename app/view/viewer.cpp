@@ -71,6 +71,8 @@ void Viewer::begin(const SceneStart& start)
     light_view_ = {};
     flight_ = gui::FlyCamera(engine_.scene().bounds().diagonal());
     handles_ = {};
+    if (const std::string& note = engine_.scene().note(); !note.empty())
+        panels_.message += panels_.message.empty() ? note : "\n" + note;
     pictures_.begin(start.frame);
     new_scene_ = true;
 }

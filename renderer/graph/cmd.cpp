@@ -4,7 +4,15 @@
 #include "renderer/graph/runner.hpp"
 #include "renderer/graph/transients.hpp"
 
+#include <algorithm>
+
 namespace atrium::graph {
+namespace {
+
+/// Work groups along an axis of a dispatch, and commands of an indirect draw, that every device takes.
+constexpr std::uint32_t most_at_once = 65535;
+
+} // namespace
 
 void Cmd::push_bytes(const void* data, std::size_t size)
 {
@@ -88,13 +96,18 @@ void Cmd::draw_indexed(std::uint32_t first_index, std::uint32_t index_count, std
 void Cmd::draw_indexed_indirect(Buf commands, std::uint32_t first, std::uint32_t count)
 {
     constexpr std::uint32_t stride = sizeof(VkDrawIndexedIndirectCommand);
-    vkCmdDrawIndexedIndirect(commands_, runner_.buffer_of(commands.index), VkDeviceSize{first} * stride, count, stride);
-    ++draws_;
+    for (std::uint32_t done = 0; done < count; done += most_at_once) {
+        vkCmdDrawIndexedIndirect(commands_, runner_.buffer_of(commands.index), VkDeviceSize{first + done} * stride,
+                                 std::min(count - done, most_at_once), stride);
+        ++draws_;
+    }
 }
 
 void Cmd::dispatch(std::uint32_t items, std::uint32_t group_size)
 {
-    vkCmdDispatch(commands_, (items + group_size - 1) / group_size, 1, 1);
+    const std::uint32_t groups = items / group_size + (items % group_size != 0 ? 1 : 0);
+    const std::uint32_t rows = std::max((groups + most_at_once - 1) / most_at_once, 1u);
+    vkCmdDispatch(commands_, (groups + rows - 1) / rows, rows, 1);
 }
 
 void Cmd::dispatch_over(Tex image, std::uint32_t mip)

@@ -130,7 +130,9 @@ public:
     void bind_indices(Buf indices); ///< for shaders that pull their vertices
     void draw_indexed(std::uint32_t first_index, std::uint32_t index_count, std::uint32_t first_instance);
     void draw_indexed_indirect(Buf commands, std::uint32_t first, std::uint32_t count);
-    void dispatch(std::uint32_t items, std::uint32_t group_size); ///< enough groups for so many items
+    /// Enough groups for so many items: in several rows where one would hold too many, so that shaders number them as
+    /// shaders/lib/dispatch.glsl does.
+    void dispatch(std::uint32_t items, std::uint32_t group_size);
     /// Enough groups of 8 x 8 for the texels of a mip.
     void dispatch_over(Tex image, std::uint32_t mip = 0);
     void copy(Tex from, Buf to, std::uint32_t mip = 0); ///< all texels of a mip, rows tightly packed

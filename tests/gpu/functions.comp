@@ -4,6 +4,7 @@
 #include "lib/brdf.glsl"
 #include "lib/color.glsl"
 #include "lib/gbuffer_packing.glsl"
+#include "lib/dispatch.glsl"
 #include "lib/pass.glsl"
 
 #extension GL_EXT_scalar_block_layout : require
@@ -35,7 +36,7 @@ layout(PASS_BUFFER(1), scalar) writeonly buffer Results { Result results[]; };
 
 void main()
 {
-    uint i = gl_GlobalInvocationID.x;
+    uint i = INVOCATION_INDEX;
     if (i >= cases.length()) return;
     Case c = cases[i];
     Result r;

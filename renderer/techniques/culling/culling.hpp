@@ -40,7 +40,7 @@ struct DrawTasks {
     std::uint32_t count = 0;
     std::span<const DrawRange> ranges;
     std::uint64_t index_count = 0;   ///< of all tasks
-    std::uint32_t subgroup_size = 0; ///< 0: single triangles cannot be culled, for the device or the scene's size
+    std::uint32_t subgroup_size = 0; ///< 0: single triangles cannot be culled (GpuScene::note() says why)
     std::uint32_t subpixel_bits = 4; ///< of the device's rasterisation
 };
 

@@ -1,6 +1,7 @@
 #version 460
 // Statistics of each tile of a buffer, one thread a tile.
 #extension GL_GOOGLE_include_directive : require
+#include "lib/dispatch.glsl"
 #include "lib/pass.glsl"
 #include "techniques/buffer_view/picked.glsl"
 #include "techniques/buffer_view/statistics.glsl"
@@ -12,7 +13,7 @@ layout(push_constant, scalar) uniform Push { BufferStatisticsPush push; };
 
 void main()
 {
-    uint tile = gl_GlobalInvocationID.x;
+    uint tile = INVOCATION_INDEX;
     if (tile >= push.tiles) return;
     uvec2 size = uvec2(textureSize(source, 0));
     uint across = (size.x + statistics_tile - 1u) / statistics_tile;

@@ -7,7 +7,7 @@ layout(push_constant, scalar) uniform Push { CullPush push; };
 
 void main()
 {
-    uint i = gl_GlobalInvocationID.x;
+    uint i = INVOCATION_INDEX;
     if (i >= push.count) return;
     DrawTask task = task_table[order_table[i]];
     write_command(i, task, may_be_seen(task, sphere_of(task), push.flags) ? 1u : 0u);

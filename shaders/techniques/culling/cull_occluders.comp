@@ -7,7 +7,7 @@ layout(push_constant, scalar) uniform Push { CullPush push; };
 
 void main()
 {
-    uint i = gl_GlobalInvocationID.x;
+    uint i = INVOCATION_INDEX;
     if (i >= push.count) return;
     DrawTask task = task_table[order_table[i]];
     ClusterSphere s = sphere_of(task);

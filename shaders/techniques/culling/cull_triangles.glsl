@@ -4,6 +4,7 @@
 // not drawn yet.
 // Source: Wihlidal 2016, "Optimizing the Graphics Pipeline with Compute", GDC.
 #extension GL_KHR_shader_subgroup_ballot : require
+#include "lib/dispatch.glsl"
 #include "lib/pass.glsl"
 #include "lib/scene.glsl"
 #include "shared/culling.h"
@@ -35,6 +36,9 @@ struct ScreenTriangle {
     vec2 low, high; // bounds in pixels, widened by `snap`
     float nearest;  // depth of its nearest corner, reversed
 };
+
+/// Of the dispatch, which may have more groups.
+uint task_count();
 
 /// Whether the triangle is drawn. `instances`: of its cluster's command, as the pass before wrote it.
 bool keep_triangle(uint instances, ScreenTriangle t);
@@ -111,8 +115,8 @@ void remember(uint i, DrawTask task, uint index_count)
 
 void main()
 {
-    uint i = gl_WorkGroupID.x;
-    if (gl_SubgroupID > 0u) return;
+    uint i = GROUP_INDEX;
+    if (gl_SubgroupID > 0u || i >= task_count()) return;
     DrawTask task = task_table[order_table[i]];
     uint instances = commands[i].instance_count;
     if (instances == 0u) {

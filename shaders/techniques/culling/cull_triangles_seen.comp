@@ -7,5 +7,6 @@
 layout(push_constant, scalar) uniform Push { SeenPush push; };
 #include "techniques/culling/cull_triangles.glsl"
 
+uint task_count() { return push.occlusion.cull.count; }
 #define PYRAMID_LEVELS push.occlusion.levels
 #include "techniques/culling/keep_visible.glsl"

@@ -4,5 +4,6 @@
 #include "techniques/culling/cull_triangles.glsl"
 
 layout(push_constant, scalar) uniform Push { OcclusionPush push; };
+uint task_count() { return push.cull.count; }
 #define PYRAMID_LEVELS push.levels
 #include "techniques/culling/keep_visible.glsl"

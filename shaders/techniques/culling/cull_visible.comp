@@ -29,7 +29,7 @@ uint occlusion_of(ClusterSphere s)
 
 void main()
 {
-    uint i = gl_GlobalInvocationID.x;
+    uint i = INVOCATION_INDEX;
     if (i >= push.cull.count) return;
     DrawTask task = task_table[order_table[i]];
     ClusterSphere sphere = sphere_of(task);

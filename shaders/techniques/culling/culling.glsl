@@ -1,4 +1,5 @@
 // One thread per cluster in draw order: the tests that need no other cluster's depth, and the command that comes of them.
+#include "lib/dispatch.glsl"
 #include "lib/pass.glsl"
 #include "lib/scene.glsl"
 #include "shared/culling.h"

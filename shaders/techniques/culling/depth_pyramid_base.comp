@@ -1,6 +1,7 @@
 #version 460
 // Level 0 of the depth pyramid: the farthest depth under cells of pyramid_base x pyramid_base pixels.
 #extension GL_GOOGLE_include_directive : require
+#include "lib/dispatch.glsl"
 #include "lib/frame.glsl"
 #include "lib/pass.glsl"
 #include "lib/textures.glsl"
@@ -13,7 +14,7 @@ layout(push_constant, scalar) uniform Push { PyramidPush push; };
 
 void main()
 {
-    uint i = gl_GlobalInvocationID.x;
+    uint i = INVOCATION_INDEX;
     if (i >= push.target.cells.x * push.target.cells.y) return;
     vec2 corner = vec2(i % push.target.cells.x, i / push.target.cells.x) * float(pyramid_base);
     vec4 farthest = vec4(1e30);

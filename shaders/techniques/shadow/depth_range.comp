@@ -1,6 +1,7 @@
 #version 460
 // A further level of the depth ranges, from the one before.
 #extension GL_GOOGLE_include_directive : require
+#include "lib/dispatch.glsl"
 #include "techniques/shadow/depth_range.glsl"
 
 layout(local_size_x = shadow_group_size) in;
@@ -10,7 +11,7 @@ layout(push_constant, scalar) uniform Push { DepthRangePush push; };
 void main()
 {
     uint side = push.cells >> push.level, per_face = side * side;
-    uint i = gl_GlobalInvocationID.x;
+    uint i = INVOCATION_INDEX;
     if (i >= push.faces * per_face) return;
     uint face = i / per_face;
     uvec2 cell = uvec2(i % side, i % per_face / side);

@@ -1,6 +1,7 @@
 #version 460
 // Level 0 of the depth ranges, from the map.
 #extension GL_GOOGLE_include_directive : require
+#include "lib/dispatch.glsl"
 #include "lib/textures.glsl"
 #include "techniques/shadow/depth_range.glsl"
 
@@ -11,7 +12,7 @@ layout(push_constant, scalar) uniform Push { DepthRangePush push; };
 
 void main()
 {
-    uint i = gl_GlobalInvocationID.x, per_face = push.cells * push.cells;
+    uint i = INVOCATION_INDEX, per_face = push.cells * push.cells;
     if (i >= push.faces * per_face) return;
     uint face = i / per_face;
     uvec2 cell = uvec2(i % push.cells, i % per_face / push.cells), from = cell * shadow_cell;

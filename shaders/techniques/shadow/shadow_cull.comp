@@ -1,6 +1,7 @@
 #version 460
 // Draws into a face of a shadow map what may cast a shadow that is seen in it. Nothing is left out for the way it faces.
 #extension GL_GOOGLE_include_directive : require
+#include "lib/dispatch.glsl"
 #include "lib/pass.glsl"
 #include "lib/scene.glsl"
 #include "shared/culling.h"
@@ -25,7 +26,7 @@ bool may_cast(vec3 centre, float radius)
 
 void main()
 {
-    uint i = gl_GlobalInvocationID.x;
+    uint i = INVOCATION_INDEX;
     if (i >= push.count) return;
     DrawTask task = task_table[order_table[i]];
     GpuCluster cluster = cluster_table[task.cluster];
