@@ -294,6 +294,7 @@ FrameResult Engine::draw(const FrameRequest& request)
         s.renderer = make_renderer(s.path);
     }
     if (s.scene->override_materials(request.materials)) forget_frames();
+    s.scene->set_previous_instances(request.previous_instances);
     const View view = view_of(request);
     const LightSet lights = make_light_set(request.lights, most_shadowed_lights(request.settings.shadow));
     write_constants(view, lights, request.settings);

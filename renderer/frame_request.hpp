@@ -33,6 +33,7 @@ struct FrameRequest {
     std::uint64_t frame_index = 0;
     double time = 0, time_step = 0; ///< s; since the frame before
     bool cut = false;               ///< it does not go on from the frame before
+    std::vector<PreviousInstance> previous_instances; ///< those that were elsewhere in the frame before
     std::vector<Light> lights;      ///< at most max_lights, named
     Settings settings;
     std::vector<MaterialOverride> materials; ///< after those that the scene was loaded with

@@ -295,6 +295,25 @@ void GpuScene::write_tables(std::span<const shared::GpuCluster> clusters)
     }
 }
 
+void GpuScene::set_previous_instances(std::span<const PreviousInstance> moved)
+{
+    if (moved.empty() && !any_moved_) return;
+    any_moved_ = !moved.empty();
+    for (shared::GpuRecord& record : record_table_) {
+        const auto found = std::find_if(moved.begin(), moved.end(), [&](const PreviousInstance& previous) {
+            return previous.instance == record.instance;
+        });
+        record.flags &= ~shared::record_moves;
+        std::copy_n(record.world_rows, 3, record.prev_rows);
+        if (found == moved.end()) continue;
+        const mat4 rows = glm::transpose(found->world_from_object);
+        for (int r = 0; r < 3; ++r) record.prev_rows[r] = rows[r];
+        record.flags |= shared::record_moves;
+    }
+    std::memcpy(records_.mapped().data(), record_table_.data(), record_table_.size() * sizeof(shared::GpuRecord));
+    records_.flush();
+}
+
 void GpuScene::sort_for(const vec3& eye)
 {
     for (Task& task : sorted_) {

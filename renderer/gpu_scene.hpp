@@ -23,6 +23,12 @@ struct Instance {
     mat4 world_from_object{1};
 };
 
+/// Where an instance was in the frame before, for motion vectors.
+struct PreviousInstance {
+    std::uint32_t instance = 0;
+    mat4 world_from_object{1};
+};
+
 /// Bytes of what culling single triangles reads and writes, each through one binding.
 struct TriangleBytes {
     std::uint64_t vertices = 0, indices = 0;
@@ -70,6 +76,9 @@ public:
     /// Shows materials() with further overrides, instead of those of the last call. Whether that may change which
     /// pixels a surface covers. Between frames only.
     bool override_materials(std::span<const MaterialOverride> overrides);
+    /// Where instances were in the frame before; all others, and those of the last call, are where they were. Costs
+    /// nothing where none moved. After override_materials(). Between frames only.
+    void set_previous_instances(std::span<const PreviousInstance> moved);
     [[nodiscard]] std::uint32_t material_of_task(std::uint32_t ordered) const { return sorted_[ordered].material; }
 
 private:
@@ -112,6 +121,7 @@ private:
     std::vector<MaterialOverride> overrides_; ///< of shown_
     std::vector<shared::GpuMaterial> packed_; ///< of shown_
     std::vector<shared::GpuRecord> record_table_;
+    bool any_moved_ = false;        ///< record_table_ has records that moved
     std::vector<WholeMesh> meshes_; ///< by record
     std::vector<shared::DrawCommand> whole_commands_;
     std::vector<DrawRange> ranges_, whole_ranges_;
