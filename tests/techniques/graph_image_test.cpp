@@ -33,27 +33,33 @@ TEST_F(graph_image, of_the_g_buffer_is_what_aovs_unpack)
     ASSERT_EQ(got[7].channels, 2);
     EXPECT_EQ(got[9].channels, 2);
     const float near = default_near(rig.bake().scene().bounds);
+    int surface = 0;
     for (int y = 0; y < got[0].height; ++y) {
         for (int x = 0; x < got[0].width; ++x) {
             const bool background = *got[4].at(x, y) < 0;
             EXPECT_EQ(*got[3].at(x, y) < 256, background); // the id of no record
             if (background) continue;
+            ++surface;
             for (int c = 0; c < 3; ++c) ASSERT_EQ(got[0].at(x, y)[c], got[1].at(x, y)[c]);
             ASSERT_EQ(got[0].at(x, y)[3], *got[2].at(x, y));
             for (int c = 0; c < 2; ++c) ASSERT_EQ(got[7].at(x, y)[c], got[8].at(x, y)[c]);
             ASSERT_NEAR(near / *got[5].at(x, y), *got[6].at(x, y), 1e-5f * *got[6].at(x, y)); // divided elsewhere
         }
     }
+    EXPECT_GT(surface, 10'000);
 }
 
 TEST_F(graph_image, before_exposure_and_after_differ_by_it)
 {
     rig.set("exposure.ev100", "2");
     const std::vector<ImageF> got = rig.aovs({"graph.hdr", "hdr"});
+    float brightest = 0;
     for (std::size_t pixel = 0; pixel < got[1].values.size() / 3; ++pixel) {
         const float exposed = got[0].values[4 * pixel], plain = got[1].values[3 * pixel];
         ASSERT_NEAR(exposed, exposure_scale(rig.request.settings.exposure) * plain, 1e-5f * plain);
+        brightest = std::max(brightest, plain);
     }
+    EXPECT_GT(brightest, 0.1f);
 }
 
 TEST_F(graph_image, of_a_light_is_a_layer_or_a_map_of_its_own)

@@ -31,12 +31,16 @@ TEST(sky, lights_no_pixel_of_geometry)
     rig.set("ambient.intensity", "0");
     rig.look({0, 2, 0}, {0, 1.5f, -2});
     const std::vector<ImageF> got = rig.aovs({"hdr", "material"});
+    int floors = 0;
     for (int y = 0; y < 180; ++y) {
         for (int x = 0; x < 320; ++x) {
             const bool floor = *got[1].at(x, y) >= 0;
             ASSERT_EQ(got[0].at(x, y)[2] == 0.0f, floor) << x << "," << y;
+            floors += floor ? 1 : 0;
         }
     }
+    EXPECT_GT(floors, 10'000);
+    EXPECT_LT(floors, 320 * 180 - 10'000);
 }
 
 TEST(sky, shows_the_disc_of_a_sun_with_its_radiance)
