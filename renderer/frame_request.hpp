@@ -4,6 +4,7 @@
 #include "renderer/gpu/timers.hpp"
 #include "renderer/picture_slot.hpp"
 #include "renderer/scene/camera.hpp"
+#include "renderer/scene/instance.hpp"
 #include "renderer/scene/light.hpp"
 #include "renderer/scene/material_override.hpp"
 #include "renderer/settings.hpp"
@@ -31,10 +32,10 @@ struct FrameRequest {
     Camera previous_camera; ///< of the frame before, for motion vectors
     vec2 jitter{0};         ///< View::jitter
     std::uint64_t frame_index = 0;
-    double time = 0, time_step = 0; ///< s; since the frame before
-    bool cut = false;               ///< it does not go on from the frame before
+    double time = 0, time_step = 0;                   ///< s; since the frame before
+    bool cut = false;                                 ///< it does not go on from the frame before
     std::vector<PreviousInstance> previous_instances; ///< those that were elsewhere in the frame before
-    std::vector<Light> lights;      ///< at most max_lights, named
+    std::vector<Light> lights;                        ///< at most max_lights, named
     Settings settings;
     std::vector<MaterialOverride> materials; ///< after those that the scene was loaded with
     std::optional<std::uint32_t> outlined;   ///< material with a line around its pixels in the picture

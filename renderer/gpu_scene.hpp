@@ -3,6 +3,7 @@
 
 #include "renderer/gpu/descriptors.hpp"
 #include "renderer/scene/bake_file.hpp"
+#include "renderer/scene/instance.hpp"
 #include "renderer/scene/scene_file.hpp"
 #include "renderer/scene_upload.hpp"
 #include "renderer/techniques/culling/culling.hpp"
@@ -15,19 +16,6 @@
 #include <vector>
 
 namespace atrium {
-
-/// A copy of a bake, or of one of its meshes, somewhere in the world. Its index is the AOV `instance`.
-struct Instance {
-    std::size_t bake = 0;
-    std::optional<std::uint32_t> mesh; ///< all when empty
-    mat4 world_from_object{1};
-};
-
-/// Where an instance was in the frame before, for motion vectors.
-struct PreviousInstance {
-    std::uint32_t instance = 0;
-    mat4 world_from_object{1};
-};
 
 /// Bytes of what culling single triangles reads and writes, each through one binding.
 struct TriangleBytes {
