@@ -40,8 +40,8 @@ VkDevice create_device(const DeviceReport& report, bool presents)
     features.features.robustBufferAccess = VK_TRUE;
     features.features.multiDrawIndirect = VK_TRUE;
     features.features.drawIndirectFirstInstance = VK_TRUE;
-    features.features.geometryShader = VK_TRUE;
-    features.features.tessellationShader = VK_TRUE;
+    features.features.geometryShader = report.optional.geometry;
+    features.features.tessellationShader = report.optional.tessellation;
     features.features.independentBlend = VK_TRUE;
     features.features.samplerAnisotropy = report.optional.anisotropy;
     features.features.textureCompressionBC = report.optional.block_compression;

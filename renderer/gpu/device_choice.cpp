@@ -33,12 +33,10 @@ struct Features {
 std::vector<std::string> missing_features(VkPhysicalDevice device)
 {
     const Features f(device);
-    const std::array<std::pair<VkBool32, const char*>, 18> required{{
+    const std::array<std::pair<VkBool32, const char*>, 16> required{{
         {f.core.features.robustBufferAccess, "robustBufferAccess (damaged files must not reach foreign memory)"},
         {f.core.features.multiDrawIndirect, "multiDrawIndirect (culled clusters are drawn by it)"},
         {f.core.features.drawIndirectFirstInstance, "drawIndirectFirstInstance (a draw's record index)"},
-        {f.core.features.geometryShader, "geometryShader (light gizmos)"},
-        {f.core.features.tessellationShader, "tessellationShader (distance tessellation)"},
         {f.core.features.independentBlend, "independentBlend (G-buffer)"},
         {f.v11.shaderDrawParameters, "shaderDrawParameters (a draw's record index)"},
         {f.v12.drawIndirectCount, "drawIndirectCount (culled clusters)"},
@@ -134,6 +132,7 @@ DeviceReport describe(VkPhysicalDevice device, std::uint32_t index)
     report.subgroup_size = subgroup.subgroupSize;
     report.subpixel_bits = basic.limits.subPixelPrecisionBits;
     report.widest_image = basic.limits.maxImageDimension2D;
+    report.sample_counts = basic.limits.framebufferColorSampleCounts & basic.limits.framebufferDepthSampleCounts;
     report.storage_range = basic.limits.maxStorageBufferRange;
     report.driver = fmt::format("{} {}", driver.driverName, driver.driverInfo);
     report.refusals = missing_features(device);
@@ -151,6 +150,8 @@ DeviceReport describe(VkPhysicalDevice device, std::uint32_t index)
     const Features f(device);
     report.optional.anisotropy = f.core.features.samplerAnisotropy;
     report.optional.block_compression = f.core.features.textureCompressionBC;
+    report.optional.geometry = f.core.features.geometryShader;
+    report.optional.tessellation = f.core.features.tessellationShader;
     report.optional.lines = f.core.features.fillModeNonSolid;
     report.optional.host_memory_import = has_device_extension(device, VK_EXT_EXTERNAL_MEMORY_HOST_EXTENSION_NAME);
     report.optional.subgroup_ballot = (subgroup.supportedOperations & VK_SUBGROUP_FEATURE_BALLOT_BIT) &&
@@ -158,6 +159,10 @@ DeviceReport describe(VkPhysicalDevice device, std::uint32_t index)
     if (!report.optional.anisotropy)
         report.absent_optionals.emplace_back("samplerAnisotropy: trilinear filtering only");
     if (!report.optional.lines) report.absent_optionals.emplace_back("fillModeNonSolid: debug.wireframe has no effect");
+    if (!report.optional.geometry)
+        report.absent_optionals.emplace_back("geometryShader: passes with geometry shaders are refused");
+    if (!report.optional.tessellation)
+        report.absent_optionals.emplace_back("tessellationShader: passes with tessellation are refused");
     if (!report.optional.block_compression) {
         report.absent_optionals.emplace_back("textureCompressionBC: bakes made with --textures bc are refused");
     }

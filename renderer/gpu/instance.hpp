@@ -36,8 +36,9 @@ struct OptionalFeatures {
     bool host_memory_import = false; ///< VK_EXT_external_memory_host: scene upload straight from the mapped bake
     bool anisotropy = false;
     bool block_compression = false;
-    bool lines = false;           ///< triangles drawn as lines: wireframes
-    bool subgroup_ballot = false; ///< in compute shaders: culling of single triangles
+    bool geometry = false, tessellation = false; ///< stages of GraphicsPipelineDesc
+    bool lines = false;                          ///< triangles drawn as lines: wireframes
+    bool subgroup_ballot = false;                ///< in compute shaders: culling of single triangles
 };
 
 /// A device as `atrium devices` tells of it. Suitable when `refusals` is empty.
@@ -50,6 +51,7 @@ struct DeviceReport {
     bool is_cpu = false;
     std::uint32_t subgroup_size = 1;
     std::uint32_t subpixel_bits = 4; ///< of the positions that rasterisation rounds to
+    std::uint32_t sample_counts = 1; ///< the sum of those that colour and depth targets can have: 1, 2, 4…
     std::uint32_t widest_image = 4096;
     std::uint64_t storage_range = 0; ///< bytes that one storage buffer binding reaches
     VkPhysicalDevice handle = VK_NULL_HANDLE;

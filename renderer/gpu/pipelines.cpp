@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <functional>
@@ -37,7 +38,20 @@ bool cache_is_ours(const std::vector<char>& data, VkPhysicalDevice device)
            !std::memcmp(header.pipelineCacheUUID, p.pipelineCacheUUID, VK_UUID_SIZE);
 }
 
+bool uses(const GraphicsPipelineDesc& desc, const std::string& shader)
+{
+    const std::vector<std::string> all = desc.shaders();
+    return std::find(all.begin(), all.end(), shader) != all.end();
+}
+
 } // namespace
+
+std::vector<std::string> GraphicsPipelineDesc::shaders() const
+{
+    std::vector<std::string> all{vertex, tessellation_control, tessellation_evaluation, geometry, fragment};
+    std::erase(all, "");
+    return all;
+}
 
 Pipelines::Pipelines(const Device& device, const Descriptors& descriptors, ShaderLookup shaders,
                      const std::filesystem::path& cache_folder)
@@ -127,7 +141,7 @@ void Pipelines::replace(const std::string& shader, std::span<const std::uint32_t
     Made<ComputePipelineDesc> compute;
     try {
         for (const auto& [desc, old] : graphics_)
-            if (desc.vertex == shader || desc.fragment == shader) graphics[desc] = create(desc);
+            if (uses(desc, shader)) graphics[desc] = create(desc);
         for (const auto& [desc, old] : compute_)
             if (desc.shader == shader) compute[desc] = create(desc);
     } catch (...) {

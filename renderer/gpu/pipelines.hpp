@@ -25,20 +25,30 @@ enum class DepthTest : std::uint8_t {
     equal_zero
 }; ///< reversed depth; equal_zero: only where nothing was drawn
 
-/// What a pass draws with. The target formats come from the pass's attachments; cull mode is dynamic state.
-/// Shaders are named by their path below shaders/.
+/// What vertices form. Patches are for tessellation, and only for it.
+enum class Topology : std::uint8_t { triangles, lines, points, patches };
+
+/// What a pass draws with. Formats and sample count come from the pass's attachments; cull mode is dynamic state.
+/// Shaders are named by their path below shaders/; an empty name: there is no such stage.
 struct GraphicsPipelineDesc {
-    std::string vertex, fragment; ///< no fragment shader where only depth is drawn
+    std::string vertex, fragment;                              ///< no fragment shader where only depth is drawn
+    std::string tessellation_control, tessellation_evaluation; ///< both or none; OptionalFeatures::tessellation
+    std::string geometry;                                      ///< OptionalFeatures::geometry
     VertexInput input = VertexInput::none;
-    Blend blend = Blend::off;
+    Topology topology = Topology::triangles;
+    std::uint32_t patch_points = 0; ///< control points of a patch
+    Blend blend = Blend::off;       ///< of every target
+    std::vector<Blend> blends;      ///< one per target, in place of `blend`; empty: all alike
     DepthTest depth_test = DepthTest::off;
     bool depth_write = false;
     bool lines = false;                   ///< edges of triangles only; OptionalFeatures::lines
-    std::vector<std::uint32_t> constants; ///< specialisation constants 0, 1, … of both stages
+    std::vector<std::uint32_t> constants; ///< specialisation constants 0, 1, … of all stages
     std::vector<Format> colors;           ///< filled in by the graph
     Format depth = Format::none;          ///< filled in by the graph
     std::uint32_t samples = 1;            ///< filled in by the graph
     PassLayout pass_layout = 0;           ///< of set 2, filled in by the graph
+    /// The shaders of all stages that it has.
+    [[nodiscard]] std::vector<std::string> shaders() const;
     auto operator<=>(const GraphicsPipelineDesc&) const = default;
 };
 

@@ -65,8 +65,7 @@ std::uint32_t samples_of(const Graph& graph, const Pass& pass)
 
 std::vector<std::string> shaders_of(const gpu::GraphicsPipelineDesc& desc)
 {
-    if (desc.fragment.empty()) return {desc.vertex};
-    return {desc.vertex, desc.fragment};
+    return desc.shaders();
 }
 
 std::vector<std::string> shaders_of(const gpu::ComputePipelineDesc& desc)
