@@ -69,10 +69,11 @@ void GpuScene::classify()
     for (std::size_t i = 0; i < record_table_.size(); ++i) {
         shared::GpuRecord& record = record_table_[i];
         const Material& material = shown_[record.material];
-        const bool two_sided = meshes_[i].two_sided || material.two_sided || material.cls != MaterialClass::opaque;
         const auto rank = static_cast<std::uint32_t>(draw_rank(material.cls));
-        record.flags = (two_sided ? shared::record_two_sided : 0u) |
-                       (material_classes[rank].has_holes ? shared::record_has_holes : 0u);
+        const MaterialClassInfo& cls = material_classes[rank];
+        const bool two_sided = meshes_[i].two_sided || material.two_sided || cls.sides == Sides::both;
+        record.flags = (two_sided ? shared::record_two_sided : 0u) | (cls.has_holes ? shared::record_has_holes : 0u) |
+                       (cls.deformed ? shared::record_deformed | shared::record_moves : 0u);
         range_of_record.push_back(2 * rank + (two_sided ? 1u : 0u));
         whole[rank].push_back(meshes_[i].command);
     }

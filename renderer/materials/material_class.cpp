@@ -12,6 +12,11 @@ int draw_rank(MaterialClass cls)
     throw std::logic_error("a material class is missing from the table");
 }
 
+const MaterialClassInfo& class_info(MaterialClass cls)
+{
+    return material_classes[static_cast<std::size_t>(draw_rank(cls))];
+}
+
 std::string class_fragment(const std::string& pass, const MaterialClassInfo& info)
 {
     return pass + "_" + info.surface + ".frag";

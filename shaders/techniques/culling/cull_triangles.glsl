@@ -129,6 +129,7 @@ void main()
     vec4 rows[3] = record_table[task.record].world_rows;
     uint vertex_offset = uint(record_table[task.record].vertex_offset);
     bool one_sided = (record_table[task.record].flags & record_two_sided) == 0u;
+    bool deformed = (record_table[task.record].flags & record_deformed) != 0u;
 
     uint kept = 0u;
 #ifdef REMEMBERS
@@ -153,7 +154,7 @@ void main()
             ScreenTriangle t = on_screen(clip_position(rows, vertex_offset + corners.x),
                                          clip_position(rows, vertex_offset + corners.y),
                                          clip_position(rows, vertex_offset + corners.z), one_sided);
-            keep = keep_triangle(instances, t);
+            keep = deformed || keep_triangle(instances, t);
         }
 #ifdef REMEMBERS
         uvec4 see = subgroupBallot(keep);

@@ -22,8 +22,8 @@ bool outside_frustum(ClusterSphere s)
 bool faces_away(DrawTask task, ClusterSphere s)
 {
     GpuCluster cluster = cluster_table[task.cluster];
-    bool one_sided = (record_table[task.record].flags & record_two_sided) == 0u;
-    if (!one_sided || cluster.cone_cutoff >= 1.0) return false;
+    bool has_cone = (record_table[task.record].flags & (record_two_sided | record_deformed)) == 0u;
+    if (!has_cone || cluster.cone_cutoff >= 1.0) return false;
     vec3 axis = normalize(transform_vector(record_table[task.record].world_rows, cluster.cone_axis));
     return dot(s.d, axis) >= cluster.cone_cutoff * length(s.d) + s.radius;
 }

@@ -1,13 +1,7 @@
 #version 460
 // Vertices of the scene into clip space, with what the surface functions need.
 #extension GL_GOOGLE_include_directive : require
-#include "lib/scene.glsl"
-#include "lib/octahedral.glsl"
-
-layout(location = 0) in vec3 position;
-layout(location = 1) in uint packed_normal;
-layout(location = 2) in uint packed_tangent;
-layout(location = 3) in vec2 uv;
+#include "materials/vertex.glsl"
 
 // Few and full varyings: a CPU device pays for each by vertex, by triangle and by block of pixels.
 layout(location = 0) out vec4 v_offset_u;  // from the eye, m, world: small numbers keep derivatives exact; u
@@ -19,23 +13,21 @@ layout(location = 3) out vec3 v_prev_clip; // x, y, w one frame earlier
 layout(location = 4) flat out uvec4 v_factors;
 layout(location = 5) flat out uvec3 v_slots; // slots, flags and record
 
-invariant gl_Position;
-
 void main()
 {
     uint index = gl_BaseInstance; // one instance a draw: uniform, which the device can know
     vec4 rows[3] = record_table[index].world_rows;
-    vec3 world = transform_point(rows, position);
+    ObjectVertex baked = fetch_vertex(), shaped = shape_vertex(baked, false);
+    vec3 world = world_position(index, baked);
     vec3 previous = world;
-    if ((record_table[index].flags & record_moves) != 0u) previous = transform_point(record_table[index].prev_rows, position);
+    if ((record_table[index].flags & record_moves) != 0u) previous = previous_world_position(index, baked);
 
-    vec4 tangent = tangent_unpack(packed_tangent);
     v_offset_u = vec4(world - frame.eye, uv.x);
-    v_normal_v = vec4(transform_vector(rows, oct_unpack(packed_normal, 16u)), uv.y);
-    v_tangent = vec4(transform_vector(rows, tangent.xyz), tangent.w);
+    v_normal_v = vec4(transform_vector(rows, shaped.normal), uv.y);
+    v_tangent = vec4(transform_vector(rows, shaped.tangent.xyz), shaped.tangent.w);
     v_prev_clip = (frame.prev_clip_from_world * vec4(previous, 1)).xyw;
     uint material = record_table[index].material;
     v_factors = material_table[material].factors;
     v_slots = uvec3(material_table[material].slots, material_table[material].flags | index);
-    gl_Position = frame.clip_from_world * vec4(world, 1);
+    gl_Position = clip_position(world);
 }

@@ -3,8 +3,6 @@
 #extension GL_GOOGLE_include_directive : require
 #include "techniques/shadow/shadow_position.glsl"
 
-layout(location = 0) in vec3 position;
-layout(location = 3) in vec2 uv;
 layout(location = 0) out vec2 v_uv;
 layout(location = 1) flat out uint v_record;
 
@@ -12,5 +10,5 @@ void main()
 {
     v_uv = uv;
     v_record = gl_BaseInstance;
-    gl_Position = shadow_position(position);
+    gl_Position = shadow_position(world_position(gl_BaseInstance, fetch_vertex()));
 }

@@ -1,12 +1,13 @@
 // Vertices of the scene into a face of a shadow map.
-#include "lib/scene.glsl"
+#include "materials/vertex.glsl"
 #include "shared/shadow.h"
 
 layout(push_constant, scalar) uniform Push { ShadowDrawPush push; };
 
-vec4 shadow_position(vec3 position)
+/// Position on the face, in its clip space, of a point of the world.
+vec4 shadow_position(vec3 world_point)
 {
-    vec4 world = vec4(transform_point(record_table[gl_BaseInstance].world_rows, position), 1.0);
+    vec4 world = vec4(world_point, 1.0);
     vec3 p = vec3(dot(push.face.x, world), dot(push.face.y, world), dot(push.face.z, world));
     if (push.perspective != 0u) return vec4(p.xy, push.depth_scale, p.z);
     return vec4(p.xy, 1.0 - p.z / push.depth_scale, 1.0);
