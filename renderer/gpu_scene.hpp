@@ -6,8 +6,8 @@
 #include "renderer/scene/instance.hpp"
 #include "renderer/scene/scene_file.hpp"
 #include "renderer/scene_upload.hpp"
+#include "renderer/techniques/common/draw_list.hpp"
 #include "renderer/techniques/culling/culling.hpp"
-#include "renderer/techniques/gbuffer/gbuffer.hpp"
 #include "shaders/shared/culling.h"
 #include "shaders/shared/scene.h"
 

@@ -1,6 +1,7 @@
 #include "renderer/techniques/aov/aov.hpp"
 
 #include "renderer/techniques/aov/graph_image.hpp"
+#include "renderer/techniques/common/draw_scene.hpp"
 #include "shaders/shared/aov.h"
 
 #include <fmt/format.h>
@@ -9,7 +10,6 @@ namespace atrium {
 namespace {
 
 using gpu::Format;
-using graph::Cmd;
 using graph::Load;
 
 std::string pass_name(const Aov& aov)
@@ -27,30 +27,23 @@ graph::Tex add_fragment_count(graph::Graph& g, const AovInputs& in, const std::s
     desc.format = Format::r32_float;
     const graph::Tex count = g.texture(name, desc);
 
-    gpu::GraphicsPipelineDesc pipeline;
-    pipeline.vertex = "techniques/gbuffer/gbuffer.vert";
-    pipeline.fragment = "techniques/aov/overdraw.frag";
-    pipeline.input = gpu::VertexInput::scene;
-    pipeline.depth_test = tested ? gpu::DepthTest::greater_equal : gpu::DepthTest::off;
-    pipeline.depth_write = tested;
-    pipeline.blend = gpu::Blend::add;
+    const auto counted = [tested](const MaterialClassInfo&) {
+        gpu::GraphicsPipelineDesc pipeline;
+        pipeline.vertex = "techniques/gbuffer/gbuffer.vert";
+        pipeline.fragment = "techniques/aov/overdraw.frag";
+        pipeline.depth_test = tested ? gpu::DepthTest::greater_equal : gpu::DepthTest::off;
+        pipeline.depth_write = tested;
+        pipeline.blend = gpu::Blend::add;
+        return std::optional(pipeline);
+    };
     const bool prepass = tested && in.occluders.commands;
     if (prepass) add_depth_prepass(g, in.occluders, in.geometry, depth, name + ".prepass");
     bool first = true;
     for (const DrawList& draws : in.draws) {
         graph::PassBuilder pass = g.raster(name);
         if (tested) pass.depth(depth, first && !prepass ? Load::clear : Load::keep, 0.0f);
-        reads(pass, draws)
-            .writes(count, first ? Load::clear : Load::keep)
-            .pipeline(pipeline)
-            .record([draws, geometry = in.geometry](Cmd& cmd) {
-                cmd.bind();
-                bind_geometry(cmd, geometry, draws);
-                for (const DrawRange& range : draws.ranges) {
-                    cmd.cull(range.two_sided ? graph::CullMode::none : graph::CullMode::back);
-                    cmd.draw_indexed_indirect(draws.commands, range.first, range.count);
-                }
-            });
+        pass.writes(count, first ? Load::clear : Load::keep);
+        draw_scene(pass, {draws, in.geometry}, counted);
         first = false;
     }
     return count;

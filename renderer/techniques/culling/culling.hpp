@@ -3,7 +3,7 @@
 
 #include "renderer/core/setting.hpp"
 #include "renderer/graph/graph.hpp"
-#include "renderer/scene/scene.hpp"
+#include "renderer/techniques/common/draw_list.hpp"
 
 #include <span>
 #include <vector>
@@ -28,13 +28,6 @@ void describe(V& v, CullingSettings& s)
       Cpu{true});
 }
 
-/// Neighbouring draw commands that share pipeline and cull mode.
-struct DrawRange {
-    MaterialClass cls = MaterialClass::opaque;
-    bool two_sided = false;
-    std::uint32_t first = 0, count = 0;
-};
-
 /// What a culling pass works on: tasks (record, cluster) in the scene's tables.
 struct DrawTasks {
     std::uint32_t count = 0;
@@ -42,14 +35,6 @@ struct DrawTasks {
     std::uint64_t index_count = 0;   ///< of all tasks
     std::uint32_t subgroup_size = 0; ///< 0: single triangles cannot be culled (GpuScene::note() says why)
     std::uint32_t subpixel_bits = 4; ///< of the device's rasterisation
-};
-
-/// The commands of a frame: one VkDrawIndexedIndirectCommand per task, in draw order.
-struct DrawList {
-    graph::Buf commands;
-    std::span<const DrawRange> ranges;
-    std::uint32_t count = 0;
-    graph::Buf indices; ///< instead of the scene's own, where triangles were culled
 };
 
 /// The triangles that a frame sees, and those that the one before saw: declare_seen().

@@ -1,17 +1,12 @@
 #include "renderer/techniques/gbuffer/gbuffer.hpp"
 
-#include "renderer/materials/material_class.hpp"
+#include "renderer/techniques/common/draw_scene.hpp"
 
 namespace atrium {
 namespace {
 
 using gpu::Format;
 using graph::Load;
-
-const MaterialClassInfo& info_of(MaterialClass cls)
-{
-    return material_classes[static_cast<std::size_t>(draw_rank(cls))];
-}
 
 GBuffer create_targets(graph::Graph& g, uvec2 size)
 {
@@ -33,71 +28,17 @@ graph::PassBuilder& reads(graph::PassBuilder& pass, const GBuffer& gb)
     return pass.reads(gb.albedo).reads(gb.normal).reads(gb.id).reads(gb.emission).reads(gb.motion).reads(gb.depth);
 }
 
-graph::PassBuilder& reads(graph::PassBuilder& pass, const DrawList& draws)
-{
-    pass.reads(draws.commands, gpu::Access::indirect_read);
-    if (draws.indices) pass.reads(draws.indices, gpu::Access::index_read);
-    return pass;
-}
-
-void bind_geometry(graph::Cmd& cmd, const Geometry& geometry, const DrawList& draws)
-{
-    if (draws.indices) {
-        cmd.bind_geometry(*geometry.vertices, draws.indices);
-    } else {
-        cmd.bind_geometry(*geometry.vertices, *geometry.indices);
-    }
-}
-
-void scene_pipelines(graph::PassBuilder& pass, std::span<const DrawRange> ranges, const std::string& shaders,
-                     const gpu::GraphicsPipelineDesc& state)
-{
-    const DrawRange* previous = nullptr;
-    for (const DrawRange& range : ranges) {
-        if (!previous || previous->cls != range.cls) {
-            gpu::GraphicsPipelineDesc desc = state;
-            desc.input = gpu::VertexInput::scene;
-            desc.fragment = class_fragment(shaders, info_of(range.cls));
-            pass.pipeline(std::move(desc));
-        }
-        previous = &range;
-    }
-}
-
-void draw_ranges(graph::Cmd& cmd, std::span<const DrawRange> ranges,
-                 const std::function<void(std::uint32_t, std::uint32_t)>& draw)
-{
-    const DrawRange* previous = nullptr;
-    std::size_t pipeline = 0;
-    for (const DrawRange& range : ranges) {
-        if (!previous || previous->cls != range.cls) cmd.bind(pipeline++);
-        cmd.cull(range.two_sided ? graph::CullMode::none : graph::CullMode::back);
-        draw(range.first, range.count);
-        previous = &range;
-    }
-}
-
-void add_depth_prepass(graph::Graph& g, const DrawList& draws, const Geometry& geometry, graph::Tex depth,
-                       const std::string& pass_name)
-{
-    gpu::GraphicsPipelineDesc state;
-    state.vertex = "techniques/gbuffer/depth_prepass.vert";
-    state.input = gpu::VertexInput::scene;
-    state.depth_test = gpu::DepthTest::greater_equal;
-    state.depth_write = true;
-    graph::PassBuilder pass = g.raster(pass_name);
-    reads(pass, draws).depth(depth, Load::clear, 0.0f).pipeline(state).record([=](graph::Cmd& cmd) {
-        cmd.bind();
-        bind_geometry(cmd, geometry, draws);
-        for (const DrawRange& range : draws.ranges) {
-            if (info_of(range.cls).has_holes) continue;
-            cmd.cull(range.two_sided ? graph::CullMode::none : graph::CullMode::back);
-            cmd.draw_indexed_indirect(draws.commands, range.first, range.count);
-        }
-    });
-}
-
 namespace {
+
+/// What the depth prepass and the pass itself have in common.
+gpu::GraphicsPipelineDesc depth_pipeline(const char* vertex)
+{
+    gpu::GraphicsPipelineDesc desc;
+    desc.vertex = vertex;
+    desc.depth_test = gpu::DepthTest::greater_equal;
+    desc.depth_write = true;
+    return desc;
+}
 
 /// `loads`: keep where there is something in the targets, or in the depth alone, already.
 struct Loads {
@@ -107,31 +48,32 @@ struct Loads {
 void add_pass(graph::Graph& g, const DrawList& draws, const Geometry& geometry, const GBuffer& gb, const Loads& loads,
               const std::string& name)
 {
-    gpu::GraphicsPipelineDesc state;
-    state.vertex = "techniques/gbuffer/gbuffer.vert";
-    state.depth_test = gpu::DepthTest::greater_equal;
-    state.depth_write = true;
-    state.constants = {geometry.materials_diverge ? 1u : 0u};
-
     // Only id and depth are cleared: a background id says that the other targets hold nothing.
     graph::PassBuilder pass = g.raster(name);
-    reads(pass, draws)
-        .writes(gb.albedo, loads.colors)
+    pass.writes(gb.albedo, loads.colors)
         .writes(gb.normal, loads.colors)
         .writes(gb.id, loads.colors == Load::keep ? Load::keep : Load::clear)
         .writes(gb.emission, loads.colors)
         .writes(gb.motion, loads.colors)
         .depth(gb.depth, loads.depth, 0.0f);
-    scene_pipelines(pass, draws.ranges, "techniques/gbuffer/gbuffer", state);
-    pass.record([=](graph::Cmd& cmd) {
-        bind_geometry(cmd, geometry, draws);
-        draw_ranges(cmd, draws.ranges, [&](std::uint32_t first, std::uint32_t count) {
-            cmd.draw_indexed_indirect(draws.commands, first, count);
-        });
+    draw_scene(pass, {draws, geometry}, [](const MaterialClassInfo& cls) {
+        auto desc = depth_pipeline("techniques/gbuffer/gbuffer.vert");
+        desc.fragment = class_fragment("techniques/gbuffer/gbuffer", cls);
+        return std::optional(desc);
     });
 }
 
 } // namespace
+
+void add_depth_prepass(graph::Graph& g, const DrawList& draws, const Geometry& geometry, graph::Tex depth,
+                       const std::string& pass_name)
+{
+    graph::PassBuilder pass = g.raster(pass_name);
+    pass.depth(depth, Load::clear, 0.0f);
+    draw_scene(pass, {draws, geometry}, [](const MaterialClassInfo& cls) {
+        return cls.has_holes ? std::nullopt : std::optional(depth_pipeline("techniques/gbuffer/depth_prepass.vert"));
+    });
+}
 
 GBuffer add_gbuffer(graph::Graph& g, const DrawList& draws, const Geometry& geometry, uvec2 size,
                     const std::string& pass_name)

@@ -3,6 +3,7 @@
 
 #include "renderer/core/setting.hpp"
 #include "renderer/graph/graph.hpp"
+#include "renderer/techniques/common/draw_list.hpp"
 #include "renderer/techniques/culling/culling.hpp"
 #include "renderer/techniques/culling/seen_triangles.hpp"
 
@@ -30,26 +31,6 @@ struct GBuffer {
 
 /// Declares that a pass samples the G-buffer: its first six images, as shaders/lib/gbuffer.glsl has them.
 graph::PassBuilder& reads(graph::PassBuilder& pass, const GBuffer& gb);
-
-/// The scene's vertex and index buffers.
-struct Geometry {
-    const gpu::Buffer* vertices = nullptr;
-    const gpu::Buffer* indices = nullptr;
-    bool materials_diverge = true; ///< fragments of several draws may share a subgroup: on all but CPU devices
-};
-
-/// Declares that a pass draws a list; then, while it is recorded, binds the vertices and indices that the list means.
-graph::PassBuilder& reads(graph::PassBuilder& pass, const DrawList& draws);
-void bind_geometry(graph::Cmd& cmd, const Geometry& geometry, const DrawList& draws);
-
-/// Binds each class's pipeline once and draws its ranges from `draw(first, count)`. For any pass over the scene whose
-/// pipelines were declared by scene_pipelines().
-void draw_ranges(graph::Cmd& cmd, std::span<const DrawRange> ranges,
-                 const std::function<void(std::uint32_t first, std::uint32_t count)>& draw);
-
-/// One pipeline per class that occurs in `ranges`, in the order in which draw_ranges() binds them.
-void scene_pipelines(graph::PassBuilder& pass, std::span<const DrawRange> ranges, const std::string& shaders,
-                     const gpu::GraphicsPipelineDesc& state);
 
 /// Reads  draw commands.  Writes  albedo, normal, id, emission, motion, depth (size x size).
 [[nodiscard]] GBuffer add_gbuffer(graph::Graph& g, const DrawList& draws, const Geometry& geometry, uvec2 size,

@@ -1,7 +1,7 @@
 #include "renderer/techniques/shadow/shadow_maps.hpp"
 
 #include "renderer/core/log.hpp"
-#include "renderer/materials/material_class.hpp"
+#include "renderer/techniques/common/draw_scene.hpp"
 #include "renderer/techniques/shadow/light_points.hpp"
 #include "renderer/techniques/shadow/sample_sets.hpp"
 #include "shaders/shared/culling.h"
@@ -136,15 +136,13 @@ void write(gpu::Buffer& buffer, const std::vector<T>& items)
 }
 
 /// The pipeline that draws casters of a class.
-gpu::GraphicsPipelineDesc caster_pipeline(const MaterialClassInfo& cls, const Geometry& geometry)
+std::optional<gpu::GraphicsPipelineDesc> caster_pipeline(const MaterialClassInfo& cls)
 {
     gpu::GraphicsPipelineDesc desc;
     desc.vertex = cls.has_holes ? "techniques/shadow/shadow_holes.vert" : "techniques/shadow/shadow.vert";
     if (cls.has_holes) desc.fragment = class_fragment("techniques/shadow/shadow", cls);
-    desc.input = gpu::VertexInput::scene;
     desc.depth_test = gpu::DepthTest::greater_equal;
     desc.depth_write = true;
-    desc.constants = {geometry.materials_diverge ? 1u : 0u};
     return desc;
 }
 
@@ -213,28 +211,18 @@ void add_tiles(graph::Graph& g, const std::string& name, const ShadowCasters& ca
 {
     graph::PassBuilder pass = g.raster(name);
     const bool all = tiles.size() == map.face_count;
-    pass.reads(commands, Access::indirect_read).depth(map.map, all ? graph::Load::clear : graph::Load::keep, 0);
-    const DrawRange* previous = nullptr;
-    for (const DrawRange& range : casters.tasks.ranges) {
-        if (previous && previous->cls == range.cls) continue;
-        pass.pipeline(
-            caster_pipeline(material_classes[static_cast<std::size_t>(draw_rank(range.cls))], casters.geometry));
-        previous = &range;
-    }
-    pass.record([=, side = map.side, perspective = map.perspective ? 1u : 0u, depth_scale = map.depth_scale,
-                 ranges = casters.tasks.ranges, geometry = casters.geometry](graph::Cmd& cmd) {
-        cmd.bind_geometry(*geometry.vertices, *geometry.indices);
-        for (const Tile& tile : tiles) {
-            const uvec2 origin(tile.index * side, 0);
-            cmd.viewport(origin, uvec2(side));
-            if (!all) cmd.clear_depth(origin, uvec2(side), 0);
-            draw_ranges(cmd, ranges, [&](std::uint32_t first, std::uint32_t count) {
-                cmd.cull(graph::CullMode::none);
-                cmd.push(shared::ShadowDrawPush{tile.face, perspective, depth_scale});
-                cmd.draw_indexed_indirect(commands, tile.first_command + first, count);
-            });
-        }
-    });
+    pass.depth(map.map, all ? graph::Load::clear : graph::Load::keep, 0);
+    SceneDraws draws{{commands, casters.tasks.ranges, casters.tasks.count, {}}, casters.geometry};
+    draws.both_sides = true;
+    draws.views = static_cast<std::uint32_t>(tiles.size());
+    draws.begin_view = [=, side = map.side, perspective = map.perspective ? 1u : 0u,
+                        depth_scale = map.depth_scale](graph::Cmd& cmd, std::uint32_t view) {
+        const uvec2 origin(tiles[view].index * side, 0);
+        cmd.viewport(origin, uvec2(side));
+        if (!all) cmd.clear_depth(origin, uvec2(side), 0);
+        cmd.push(shared::ShadowDrawPush{tiles[view].face, perspective, depth_scale});
+    };
+    draw_scene(pass, draws, caster_pipeline);
 }
 
 /// What may cast into tiles, for a light that stands up to `extent` m elsewhere.

@@ -2,7 +2,7 @@
 // The triangles' edges over the picture. README.md beside this file.
 
 #include "renderer/graph/graph.hpp"
-#include "renderer/techniques/gbuffer/gbuffer.hpp"
+#include "renderer/techniques/common/draw_list.hpp"
 
 #include <span>
 
