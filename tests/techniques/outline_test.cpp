@@ -1,6 +1,7 @@
-// ARCHITECTURE.md's worked example of a pass, compiled and drawn as it stands there.
+// ARCHITECTURE.md's worked examples of passes, compiled and drawn as they stand there.
 
 #include "tests/examples/outline.hpp"
+#include "tests/examples/surface_count.hpp"
 
 #include "renderer/frame_constants.hpp"
 #include "tests/rig/frame_rig.hpp"
@@ -9,15 +10,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <fstream>
 #include <string>
+#include <vector>
 
 namespace atrium {
 namespace {
 
-/// The frame with the example's pass behind it, read back.
-Image8 draw_outlined(rig::FrameRig& rig)
+/// What a pass makes of a frame: an image of 4 bytes a texel, read back.
+template <class Add>
+std::vector<std::byte> draw_with(rig::FrameRig& rig, const Add& add)
 {
     Engine& engine = rig::engine();
     engine.set_frame_constants(rig.request);
@@ -25,21 +30,17 @@ Image8 draw_outlined(rig::FrameRig& rig)
     const View view = make_view(describe_view(rig.request, engine.scene().bounds()));
     const LightSet lights = make_light_set(rig.request.lights, 0);
     const FrameContext context{rig.request.settings, engine.scene(), view, lights};
-    const SceneImages scene = make_renderer(RenderPath::deferred)->add_passes(g, context);
-    const graph::Tex picture = add_tonemap(g, scene.hdr, rig.request.settings.tonemap);
-    const graph::Tex outlined = add_outline(g, scene.aov_inputs.gbuffer, picture, 1.0f);
+    const graph::Tex image = add(g, make_renderer(RenderPath::deferred)->add_passes(g, context));
 
     const std::uint64_t bytes = std::uint64_t{4} * rig.request.size.x * rig.request.size.y;
-    const gpu::Buffer buffer(engine.device(), "outlined", bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+    const gpu::Buffer buffer(engine.device(), "example", bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                              gpu::MemoryUse::readback);
-    const graph::Buf target = g.import("outlined", buffer);
+    const graph::Buf target = g.import("example", buffer);
     g.keep(target, gpu::Access::host_read);
-    g.transfer("read back").reads(outlined).writes(target).record([=](graph::Cmd& cmd) { cmd.copy(outlined, target); });
+    g.transfer("read back").reads(image).writes(target).record([=](graph::Cmd& cmd) { cmd.copy(image, target); });
     static_cast<void>(engine.runner().run(g));
     buffer.invalidate();
-    Image8 image(static_cast<int>(rig.request.size.x), static_cast<int>(rig.request.size.y), 4);
-    std::memcpy(image.values.data(), buffer.mapped().data(), bytes);
-    return image;
+    return {buffer.mapped().begin(), buffer.mapped().end()};
 }
 
 TEST(example, outline_draws_dark_lines_between_meshes_and_nowhere_else)
@@ -48,7 +49,12 @@ TEST(example, outline_draws_dark_lines_between_meshes_and_nowhere_else)
     rig.set("ambient.intensity", "2");
     rig.look({2, 2, 2}, {0, 0.3f, 0});
     const ImageF mesh = rig.aov("mesh");
-    const Image8 image = draw_outlined(rig);
+    const auto bytes = draw_with(rig, [&](graph::Graph& g, const SceneImages& scene) {
+        const graph::Tex picture = add_tonemap(g, scene.hdr, rig.request.settings.tonemap);
+        return add_outline(g, scene.aov_inputs.gbuffer, picture, 1.0f);
+    });
+    Image8 image(320, 180, 4);
+    std::memcpy(image.values.data(), bytes.data(), bytes.size());
     int lines = 0;
     for (int y = 2; y < 178; ++y) {
         for (int x = 2; x < 318; ++x) {
@@ -65,6 +71,30 @@ TEST(example, outline_draws_dark_lines_between_meshes_and_nowhere_else)
         }
     }
     EXPECT_GT(lines, 40) << "the box's silhouette is outlined";
+}
+
+TEST(example, every_pass_that_draws_the_scene_gets_the_same_depths)
+{
+    rig::FrameRig rig(rig::courtyard_bake());
+    rig.look({0, 1.7f, 6}, {0, 1, 0});
+    for (const char* culling : {"on", "off"}) {
+        for (const char* kind : {"culling.occlusion", "culling.triangles"}) rig.set(kind, culling);
+        const ImageF depth = rig.aov("depth");
+        const auto bytes = draw_with(rig, [](graph::Graph& g, const SceneImages& scene) {
+            const AovInputs& in = scene.aov_inputs;
+            return add_surface_count(g, in.gbuffer, in.draws.front(), in.geometry);
+        });
+        std::vector<float> counts(depth.values.size());
+        ASSERT_EQ(bytes.size(), counts.size() * sizeof(float));
+        std::memcpy(counts.data(), bytes.data(), bytes.size());
+        std::size_t seen = 0;
+        for (std::size_t i = 0; i < counts.size(); ++i) {
+            if (std::isinf(depth.values[i])) continue;
+            ++seen;
+            ASSERT_GE(counts[i], 1) << "pixel " << i << ": the pass got a smaller depth than the G-buffer's";
+        }
+        EXPECT_GT(seen, counts.size() / 2);
+    }
 }
 
 TEST(example, a_pass_takes_less_than_60_lines)
