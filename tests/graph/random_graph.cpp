@@ -77,7 +77,7 @@ private:
         }
         if (r.is_image && r.mips == 1 && chance(20)) r.samples = 4;
         if (chance(20)) return add_persistent(r);
-        r.transient = chance(70);
+        r.transient = chance(75);
         r.keep = chance(25);
         if (r.transient) {
             r.size = chance(10) ? 0 : 1 + below(64);
