@@ -22,6 +22,7 @@ struct Target {
     Format format = Format::r32_float;
     std::uint32_t bytes = 4; // of a texel
     vec4 clear{0};
+    std::uint32_t samples = 1; ///< of several, their mean is read
 };
 
 /// What is in the targets after three vertices were drawn `times` times, rows from the top.
@@ -35,8 +36,14 @@ std::vector<std::vector<std::byte>> draw(const GraphicsPipelineDesc& desc, const
     std::vector<graph::Tex> images;
     graph::PassBuilder pass = g.raster("stages");
     for (const Target& target : targets) {
-        images.push_back(g.texture("target", {target.format, side, side}));
-        pass.writes(images.back(), graph::Load::clear, target.clear);
+        graph::TexDesc image{.format = target.format, .width = side, .height = side};
+        images.push_back(g.texture("target", image));
+        image.samples = target.samples;
+        if (target.samples == 1) {
+            pass.writes(images.back(), graph::Load::clear, target.clear);
+        } else {
+            pass.writes(g.texture("samples", image), graph::Load::clear, target.clear).resolves(images.back());
+        }
     }
     pass.pipeline(desc).record([=](graph::Cmd& cmd) {
         cmd.bind();
@@ -126,6 +133,33 @@ TEST(stages, a_tessellated_patch_fills_its_polygon_and_faces_as_the_patch_does)
         }
         EXPECT_LT(near_edges, 64);
     }
+}
+
+TEST(stages, four_samples_cover_as_much_as_the_polygon_does)
+{
+    if ((rig::device().device.report().sample_counts & 4) == 0) GTEST_SKIP() << "no targets of 4 samples";
+    if (!rig::device().device.report().optional.tessellation) GTEST_SKIP() << "no tessellationShader";
+    constexpr float pixel = 2.0f / side;
+    const auto drawn = draw(patch(4), {{.samples = 4}}, graph::CullMode::back).front();
+    float sum = 0;
+    int partly = 0;
+    for (std::uint32_t y = 0; y < side; ++y) {
+        for (std::uint32_t x = 0; x < side; ++x) {
+            const float value = at<float>(drawn, x, y), inside = depth_inside(centre(x, y), 4);
+            EXPECT_EQ(std::fmod(4 * value, 1.0f), 0) << x << ", " << y;
+            if (std::abs(inside) > 0.75f * pixel) { // half a diagonal, and some
+                EXPECT_EQ(value, inside > 0 ? 1.0f : 0.0f) << x << ", " << y;
+            }
+            partly += value > 0 && value < 1 ? 1 : 0;
+            sum += value;
+        }
+    }
+    // A fan of twelve triangles. An edge of the patch passes the centre at 1/2; its corners, a quarter of it apart, lie
+    // at 0 and sqrt(3)/4 along it from its middle.
+    const float inner = std::atan(std::sqrt(3.0f) / 2), outer = std::numbers::pi_v<float> / 3 - inner;
+    const float area = 3 * (std::sin(inner) + std::sin(outer));
+    EXPECT_NEAR(sum * pixel * pixel, area, 0.01f); // of 2.946; a sample more in each pixel of the edge: .05
+    EXPECT_GT(partly, 100);
 }
 
 TEST(stages, a_geometry_shader_makes_squares_of_points)
