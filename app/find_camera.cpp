@@ -19,7 +19,9 @@ namespace {
 
 constexpr int ray_count = 64;
 constexpr float enclosed_share = 0.6f; ///< of the rays that must meet the front of a surface
-constexpr float free_distance = 0.05f; ///< of the diagonal, to the nearest surface: seats of a car are closer
+constexpr float free_distance = 0.02f; ///< of the diagonal, to the nearest surface
+constexpr float room_distance = 0.06f; ///< of the diagonal: what stands in a room is farther, seats of a car are not,
+constexpr float crowded_share = 0.1f;  ///< of the rays, that is
 
 struct Hit {
     float t = std::numeric_limits<float>::infinity();
@@ -134,19 +136,21 @@ Camera outside_of(const SceneInput& scene, float fov, float aspect)
     return frame_points(sets, fov, aspect);
 }
 
-/// Whether the middle of the scene is a room: nothing stands close to it, and in most directions lies the front of a
-/// surface.
+/// Whether the middle of the scene is a room: nothing stands close to it and little near it, and in most directions lies
+/// the front of a surface.
 bool is_room(const SceneInput& scene, const Bounds& bounds)
 {
-    std::atomic<int> fronts = 0, near_hits = 0;
+    std::atomic<int> fronts = 0, close_hits = 0, near_hits = 0;
     parallel_for(ray_count, [&](std::size_t i) {
         const Hit hit = cast(scene, bounds.centre(), direction(static_cast<int>(i)));
         if (hit.front) ++fronts;
-        if (hit.t < free_distance * bounds.diagonal()) ++near_hits;
+        if (hit.t < free_distance * bounds.diagonal()) ++close_hits;
+        if (hit.t < room_distance * bounds.diagonal()) ++near_hits;
     });
     log_verbose(fmt::format("from the middle {} of {} rays meet the front of a surface, {} closer than {:.2g} m",
-                            fronts.load(), ray_count, near_hits.load(), free_distance * bounds.diagonal()));
-    return near_hits == 0 && static_cast<float>(fronts) >= enclosed_share * ray_count;
+                            fronts.load(), ray_count, near_hits.load(), room_distance * bounds.diagonal()));
+    return close_hits == 0 && static_cast<float>(near_hits) <= crowded_share * ray_count &&
+           static_cast<float>(fronts) >= enclosed_share * ray_count;
 }
 
 bool camera_is_given(const SceneInput& scene, const FrameOptions& o)
