@@ -6,6 +6,7 @@ namespace atrium {
 namespace {
 
 constexpr float contact_radius = 0.1f; ///< of the scene's diagonal: the floor darkens that far from what stands on it
+constexpr int contact_samples = 8;
 
 FloorSurface add_visible_floor(graph::Graph& g, const FrameContext& frame, const GBuffer& gbuffer)
 {
@@ -32,6 +33,8 @@ void add_surroundings(graph::Graph& g, const FrameContext& frame, const GBuffer&
     light.visibility = add_all_visibility(g, floor.visible, maps, frame.lights.lights, shadow, {prefix, true});
     AoSettings ao = frame.settings.ao;
     ao.radius = contact_radius * frame.scene.bounds().diagonal();
+    ao.samples = std::min(ao.samples, contact_samples);
+    ao.half_resolution = true; // it has no detail of its own
     light.ao = add_ao(g, floor.whole, ao, prefix).result;
     light.rects = std::any_of(frame.lights.lights.begin(), frame.lights.lights.end(),
                               [](const Light& l) { return l.type == LightType::rect; });
