@@ -79,8 +79,8 @@ int run(const Options& o)
     WindowState state = read_state(state_file, start.message);
     read_keys(start);
     if (o.frame.size) state.place.size = ivec2(*o.frame.size);
-    const bool camera_given = !o.frame.camera.empty() || o.frame.eye || !o.frame.config.empty() ||
-                              o.frame.from != CameraFrom::anywhere;
+    const bool camera_given =
+        !o.frame.camera.empty() || o.frame.eye || !o.frame.config.empty() || o.frame.from != CameraFrom::anywhere;
     if (state.scene == start.scene.file && !camera_given)
         start.scene.frame.camera = state.camera;
     else

@@ -136,8 +136,8 @@ Camera outside_of(const SceneInput& scene, float fov, float aspect)
     return frame_points(sets, fov, aspect);
 }
 
-/// Whether the middle of the scene is a room: nothing stands close to it and little near it, and in most directions lies
-/// the front of a surface.
+/// Whether the middle of the scene is a room: nothing stands close to it and little near it, and in most directions
+/// lies the front of a surface.
 bool is_room(const SceneInput& scene, const Bounds& bounds)
 {
     std::atomic<int> fronts = 0, close_hits = 0, near_hits = 0;
@@ -168,8 +168,8 @@ void find_camera(SceneInput& scene, const FrameOptions& o)
     const vec2 size(picture_size(o, scene));
     const Bounds bounds = bounds_of(scene);
     FoundCamera found;
-    found.inside = o.from == CameraFrom::inside ||
-                   (o.from == CameraFrom::anywhere && !bounds.empty() && is_room(scene, bounds));
+    found.inside =
+        o.from == CameraFrom::inside || (o.from == CameraFrom::anywhere && !bounds.empty() && is_room(scene, bounds));
     found.camera = found.inside ? inside_bounds(bounds, fov) : outside_of(scene, fov, size.x / size.y);
     scene.found = found;
 }

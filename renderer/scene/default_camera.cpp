@@ -28,7 +28,7 @@ void for_each_point(std::span<const PointSet> sets, const glm::dmat3& view_from_
 
 /// Along one axis of the picture: what a camera must see past, and where its middle is.
 struct Side {
-    double slope = 1;              ///< of the frustum's planes, framed_share of the picture apart
+    double slope = 1;                 ///< of the frustum's planes, framed_share of the picture apart
     double high = -1e300, low = high; ///< the farthest that points lie beyond planes through the origin
     void add(double x, double z)
     {
@@ -53,10 +53,7 @@ struct Centring {
         if (at > most) most = at, most_at = {x, z - eye_z};
         if (at < least) least = at, least_at = {x, z - eye_z};
     }
-    void end()
-    {
-        eye = (most_at[0] * least_at[1] + least_at[0] * most_at[1]) / (most_at[1] + least_at[1]);
-    }
+    void end() { eye = (most_at[0] * least_at[1] + least_at[0] * most_at[1]) / (most_at[1] + least_at[1]); }
 };
 
 } // namespace
@@ -86,7 +83,8 @@ Camera frame_points(std::span<const PointSet> sets, float fov, float aspect)
     Bounds sized;
     sized.add(vec3(0));
     sized.add(vec3(size, 0, 0));
-    const double closest = std::max(1.5 * static_cast<double>(default_near(sized)), 1e-5 * std::max(glm::length(low), glm::length(high)));
+    const double closest =
+        std::max(1.5 * static_cast<double>(default_near(sized)), 1e-5 * std::max(glm::length(low), glm::length(high)));
     const double eye_z = std::min({x.farthest(), y.farthest(), low.z - closest});
     Centring across{x.middle()}, along{y.middle()};
     constexpr int rounds = 4;

@@ -66,10 +66,8 @@ TEST(program, a_floor_lies_below_a_scene_that_came_without_camera_and_light)
     // A picture says so of itself.
     ASSERT_EQ(atrium({"render", box, "-o", in_folder("floor.png").string(), "--size", "64x36"}).code, 0);
     EXPECT_EQ(pixels_of({box, "--config", in_folder("floor.png").string()}), on);
-    const std::vector<std::vector<std::string>> given = {{"--light", "sun"},
-                                                         {"--no-lights"},
-                                                         {"--eye", "0,4,6", "--target", "0,1,0"},
-                                                         {"--from", "inside"}};
+    const std::vector<std::vector<std::string>> given = {
+        {"--light", "sun"}, {"--no-lights"}, {"--eye", "0,4,6", "--target", "0,1,0"}, {"--from", "inside"}};
     for (const std::vector<std::string>& options : given) {
         std::vector<std::string> as_is{box}, without{box, "--set", "sky.floor=off"};
         as_is.insert(as_is.end(), options.begin(), options.end());

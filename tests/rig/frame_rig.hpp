@@ -22,7 +22,8 @@ public:
     FrameRig(const FrameRig&) = delete;
     FrameRig& operator=(const FrameRig&) = delete;
 
-    FrameRequest request; ///< 320x180, no lights, no ambient occlusion, linear tone operator, else the device's own defaults
+    FrameRequest
+        request; ///< 320x180, no lights, no ambient occlusion, linear tone operator, else the device's own defaults
 
     [[nodiscard]] FrameResult render() const;
     /// Draws and returns one AOV.

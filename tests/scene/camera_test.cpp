@@ -135,10 +135,14 @@ std::vector<vec3> corners_of(const Bounds& b)
 TEST(camera, framing_fills_the_picture_from_30_degrees_above)
 {
     static_assert(framed_share >= 0.8f && framed_share <= 0.9f);
-    const Bounds boxes[] = {box({-1, 0, -1}, {1, 2, 1}),       box({10, -5, 0}, {60, -4, 1}),
-                            box({0, 0, 0}, {1, 80, 2}),        box({-3, 1, -2}, {4, 1, 5}), // flat
-                            box({2, 0, 0}, {2, 3, 4}),         box({0, 0, 0}, {0, 0, 7}),   // a line
-                            box({0, 0, 0}, {1e-4f, 1e-4f, 1e-4f}), box({-2e4f, 0, -3e4f}, {2e4f, 100, 3e4f})};
+    const Bounds boxes[] = {box({-1, 0, -1}, {1, 2, 1}),
+                            box({10, -5, 0}, {60, -4, 1}),
+                            box({0, 0, 0}, {1, 80, 2}),
+                            box({-3, 1, -2}, {4, 1, 5}), // flat
+                            box({2, 0, 0}, {2, 3, 4}),
+                            box({0, 0, 0}, {0, 0, 7}), // a line
+                            box({0, 0, 0}, {1e-4f, 1e-4f, 1e-4f}),
+                            box({-2e4f, 0, -3e4f}, {2e4f, 100, 3e4f})};
     for (const Bounds& b : boxes) {
         for (const float aspect : {16.0f / 9.0f, 1.0f, 0.5f, 4.0f}) {
             for (const float fov : {20.0f, 60.0f, 120.0f}) {

@@ -32,7 +32,8 @@ void describe(V& v, SkySettings& s)
     v("ground", s.ground, "Radiance below the horizon", Range{0, 1000}, "nit-like");
     v("intensity", s.intensity, "Multiplies all three", Range{0, 1000}, "");
     v("floor", s.floor,
-      "A floor below the scene that shows its shadows, seen by the picture and hdr alone; auto: where the scene is seen "
+      "A floor below the scene that shows its shadows, seen by the picture and hdr alone; auto: where the scene is "
+      "seen "
       "from outside and neither camera nor lights were given");
 }
 
@@ -60,7 +61,8 @@ struct FloorLight {
     bool rects = true;     ///< there are rectangles among the lights
 };
 
-/// Reads  depth.  Draws into `radiance` where depth is that of the far plane: the sky, and the floor where there is one.
+/// Reads  depth.  Draws into `radiance` where depth is that of the far plane: the sky, and the floor where there is
+/// one.
 void add_sky(graph::Graph& g, graph::Tex depth, graph::Tex radiance, const FloorSurface& floor = {},
              const FloorLight& light = {});
 

@@ -5,7 +5,7 @@
 
 layout(push_constant, scalar) uniform Push { FloorPush push; };
 
-const float fade_begin = 2.0, fade_end = 12.0; // of push.radius from the middle: where the floor becomes the horizon
+const float fade_begin = 3.0, fade_end = 14.0; // of push.radius from the middle: where the floor becomes the horizon
 
 /// How much of the floor is left at a point of it, 1 to 0.
 float floor_share(vec3 p) { return 1.0 - smoothstep(fade_begin, fade_end, length(p.xz - push.middle.xz) / push.radius); }
