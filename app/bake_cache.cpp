@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20;
-constexpr std::uint64_t default_limit = 4096 * mebibyte; // a dozen scenes of Sponza's size
+constexpr std::uint64_t default_limit = 4096 * mebibyte; // three dozen of Sponza
 
 /// Opening looks at the bulk sections by their sizes only.
 void check_bulk(const BakeFile& bake)
