@@ -192,7 +192,7 @@ TEST_F(obj_scene, no_output_takes_the_place_of_an_input)
         {"render", obj, "-o", out, "--stats", obj},
         {"render", obj, "-o", out, "--stats", path("model/link.json")},
         {"render", obj, "-o", out, "--graph", path("library/a.mtl")},
-        {"render", obj, "-o", out, "--graph", cache.string()},
+        {"render", obj, "-o", out, "--graph", cache.string(), "--bake-scale", "2"},
         {"render", toml, "-o", out, "--stats", toml},
         {"render", toml, "-o", out, "--stats", bake.string()},
         {"render", toml, "-o", out, "--graph", path("other.atrium")},
