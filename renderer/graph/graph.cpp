@@ -101,7 +101,7 @@ std::vector<std::pair<std::string, Tex>> Graph::readable_images() const
     }
     std::vector<std::pair<std::string, Tex>> out;
     for (std::size_t i = 0; i < resources_.size(); ++i) {
-        if (readable[i] && resources_[i].desc.samples == 1)
+        if (readable[i] && !resources_[i].constant && resources_[i].desc.samples == 1)
             out.emplace_back(resources_[i].name, Tex{static_cast<ResourceIndex>(i)});
     }
     return out;

@@ -266,6 +266,13 @@ public:
     [[nodiscard]] bool holds(Buf buffer) const { return resources_[buffer.index].holds; }
     /// The persistent image of that key as it is, if there is one that views share and it holds something.
     [[nodiscard]] std::optional<Tex> kept(const std::string& key);
+    /// An image (R32F) of one texel, filled once, which stands for the result of a technique that is off.
+    [[nodiscard]] Tex constant(float value);
+    /// The same where shaders bind an array of images.
+    [[nodiscard]] Tex constant_array(float value);
+    /// What such an image holds everywhere; none of any other. Shaders that read at pixels must not read it, as it has
+    /// but one.
+    [[nodiscard]] std::optional<float> constant_value(Tex texture) const { return resources_[texture.index].constant; }
     /// Says what a persistent resource will hold after the frame. Kept with the contents, if the frame comes to run;
     /// contents that another frame writes without a note have none.
     template <class T, class Handle>
@@ -322,12 +329,14 @@ private:
         bool keep = false;
         std::uint32_t persistent = no_resource; ///< index into persistents_, if it is one
         bool is_history = false, holds = false;
+        std::optional<float> constant; ///< constant_value()
         [[nodiscard]] bool is_persistent() const { return persistent != no_resource; }
     };
     PassBuilder add(std::string name, PassKind kind);
     void keep(ResourceIndex resource, Access access);
     [[nodiscard]] TexDesc resolved(const std::string& name, TexDesc desc) const;
     ResourceIndex add_persistent(PersistentUse use, std::string name);
+    Tex add_constant(float value, bool array);
     ResourceIndex add_history(ResourceIndex now, bool& valid);
     void write_note(ResourceIndex resource, std::span<const std::byte> bytes);
     [[nodiscard]] std::span<const std::byte> read_note(ResourceIndex resource) const;

@@ -109,6 +109,31 @@ std::optional<Tex> Graph::kept(const std::string& key)
     return persistent(key, entry->desc, {entry->owner, {}});
 }
 
+Tex Graph::constant(float value)
+{
+    return add_constant(value, false);
+}
+
+Tex Graph::constant_array(float value)
+{
+    return add_constant(value, true);
+}
+
+Tex Graph::add_constant(float value, bool array)
+{
+    for (std::size_t i = 0; i < resources_.size(); ++i) {
+        if (resources_[i].constant == value && resources_[i].desc.array == array)
+            return {static_cast<ResourceIndex>(i)};
+    }
+    TexDesc desc{gpu::Format::r32_float};
+    desc.array = array;
+    const std::string name = fmt::format("{}.{}", array ? "constant_array" : "constant", value);
+    const Tex texture = persistent(name, desc, {Owner::program, {}});
+    resources_[texture.index].constant = value;
+    if (!holds(texture)) raster(name).writes(texture, Load::clear, vec4(value));
+    return texture;
+}
+
 void Graph::write_note(ResourceIndex resource, std::span<const std::byte> bytes)
 {
     persistents_.at(resources_[resource].persistent).note.assign(bytes.begin(), bytes.end());
