@@ -25,18 +25,18 @@ void add_gbuffer_floor(graph::Graph& g, const GpuScene& scene, uvec2 size)
 /// Reads the targets that lighting reads, visibility of so many lights among them, and writes one.
 void add_lighting_floor(graph::Graph& g, const GBuffer& gb, std::size_t shadowed)
 {
-    graph::Tex visibility;
-    if (shadowed > 0) visibility = create_visibility(g, gb, shadowed);
+    const graph::Tex visibility = shadowed > 0 ? create_visibility(g, gb.depth, shadowed) : g.constant_array(1);
     for (std::uint32_t layer = 0; layer < shadowed; ++layer)
         g.raster("floor.lighting.visibility").writes_layer(visibility, layer, Load::clear, vec4(1));
     graph::TexDesc desc = g.desc(gb.depth);
     desc.format = gpu::Format::rgba16_float;
     const graph::Tex target = g.texture("floor.lighting", desc);
     graph::PassBuilder pass = g.raster("floor.lighting");
-    reads(pass, gb);
-    if (visibility) pass.reads(visibility);
-    pass.writes(target).always().fullscreen("techniques/bench/gbuffer_read.frag",
-                                            {static_cast<std::uint32_t>(shadowed)});
+    reads(pass, gb)
+        .reads(visibility)
+        .writes(target)
+        .always()
+        .fullscreen("techniques/bench/gbuffer_read.frag", {static_cast<std::uint32_t>(shadowed)});
 }
 
 /// As many depths as ambient occlusion reads.
@@ -45,9 +45,12 @@ void add_ao_floor(graph::Graph& g, const GBuffer& gb, int taps)
     graph::TexDesc desc = g.desc(gb.depth);
     desc.format = gpu::Format::rg32_float;
     const graph::Tex target = g.texture("floor.ao_taps", desc);
-    graph::PassBuilder pass = g.raster("floor.ao_taps");
-    reads(pass, gb).writes(target).always().fullscreen("techniques/bench/ao_taps.frag",
-                                                       {static_cast<std::uint32_t>(taps)});
+    g.raster("floor.ao_taps")
+        .reads(gb.depth)
+        .reads(gb.normal)
+        .writes(target)
+        .always()
+        .fullscreen("techniques/bench/ao_taps.frag", {static_cast<std::uint32_t>(taps)});
 }
 
 /// As many depths as the shadows of a light read and compare, from a map of their format through their samplers.
@@ -81,7 +84,7 @@ void add_t16_floor(graph::Graph& g, uvec2 size)
 std::map<std::string, double> run_device_floors(Engine& engine, const FrameRequest& request)
 {
     engine.set_frame_constants(request);
-    graph::Graph g;
+    graph::Graph g(engine.runner(), {request.size, request.size, "floors"});
     const GpuScene& scene = engine.scene();
     const GBuffer gb =
         add_culled_gbuffer(g, scene.tasks(), scene.geometry(), request.size, request.settings.culling).gbuffer;

@@ -18,16 +18,17 @@ struct FrameShadows {
     graph::Tex visibility;
 };
 
-FrameShadows add_shadows(graph::Graph& g, const GBuffer& gbuffer, const FrameContext& frame)
+FrameShadows add_shadows(graph::Graph& g, graph::Tex depth, graph::Tex normal, const FrameContext& frame)
 {
-    if (!frame.shadow_maps) return {};
+    if (!frame.shadow_maps) return {{}, g.constant_array(1)};
     const Settings& s = frame.settings;
     const ShadowCasters casters{frame.scene.tasks(), frame.scene.geometry(), frame.scene.bounds(),
                                 vec2(s.texture.anisotropy, s.debug.alpha_lod0 ? 1 : 0)};
     const ShadowMapSet maps = frame.shadow_maps->add(g, casters, frame.lights, frame.view, s.shadow);
     if (s.shadow.filter != ShadowFilter::reference)
-        return {maps, add_all_visibility(g, gbuffer, maps, frame.lights.lights, s.shadow)};
-    return {maps, frame.shadow_maps->add_reference(g, gbuffer, casters, frame.lights, frame.view, maps, s.shadow)};
+        return {maps, add_all_visibility(g, depth, normal, maps, frame.lights.lights, s.shadow)};
+    return {maps,
+            frame.shadow_maps->add_reference(g, depth, normal, casters, frame.lights, frame.view, maps, s.shadow)};
 }
 
 class DeferredRenderer final : public Renderer {
@@ -37,24 +38,22 @@ public:
         const Settings& s = frame.settings;
         const auto [gbuffer, draws, occluders] = add_culled_gbuffer(g, frame.scene.tasks(), frame.scene.geometry(),
                                                                     frame.view.render_size, s.culling, frame.remember);
-        const AmbientOcclusion ao = add_ao(g, gbuffer, s.ao);
-        const auto [shadows, visibility] = add_shadows(g, gbuffer, frame);
+        const AmbientOcclusion ao = add_ao(g, gbuffer.depth, gbuffer.normal, frame.view, s.ao);
+        const auto [shadows, visibility] = add_shadows(g, gbuffer.depth, gbuffer.normal, frame);
         LightingTerms all;
-        all.visibility = visibility;
-        all.ao = ao.result;
         all.multi_bounce = s.ao.multi_bounce;
         all.end_delta = frame.lights.delta_count;
         all.end_light = static_cast<std::uint32_t>(frame.lights.lights.size());
-        const graph::Tex hdr = add_lighting(g, gbuffer, all);
-        add_surroundings(g, frame, gbuffer, shadows, hdr);
+        const graph::Tex lit = add_lighting(g, gbuffer, ao.result, visibility, all);
+        const graph::Tex hdr = add_surroundings(g, frame, gbuffer, shadows, lit);
         AovInputs inputs{
             gbuffer, hdr, ao.raw, ao.result, s.ao.multi_bounce, draws, occluders, frame.scene.geometry(), frame.lights};
         inputs.visibility = visibility;
-        inputs.shadow_image = [gbuffer = gbuffer, shadows = shadows, visibility = visibility,
-                               lights = frame.lights.lights,
+        inputs.shadow_image = [depth = gbuffer.depth, normal = gbuffer.normal, shadows = shadows,
+                               visibility = visibility, lights = frame.lights.lights,
                                settings = s.shadow](graph::Graph& graph, std::uint32_t light, std::uint32_t shown,
                                                     const std::string& pass) {
-            return add_shadow_image(graph, gbuffer, shadows, lights, visibility, settings, light, shown, pass);
+            return add_shadow_image(graph, depth, normal, shadows, lights, visibility, settings, light, shown, pass);
         };
         return {inputs, hdr};
     }
@@ -68,14 +67,14 @@ BufferLook look_of(const AovInfo& info, float scene_size)
                               : BufferLook{info.channels, info.view_mode, 0, scene_size};
 }
 
-/// Shows an AOV in an area of `picture`.
+/// Shows an AOV in an area of `picture`, which becomes the one with it.
 ShownBuffer show_buffer(graph::Graph& g, const Inset& buffer, const SceneImages& scene, const FrameContext& frame,
-                        graph::Tex picture, const PictureArea& area, graph::Load load, const std::string& pass)
+                        graph::Tex& picture, const PictureArea& area, graph::Load load, const std::string& pass)
 {
     const AovImage image = add_aov(g, buffer.aov, scene.aov_inputs, frame.view.exposure);
     const BufferLook look = look_of(*image.info, frame.scene.bounds().diagonal());
     const graph::Buf statistics = add_buffer_statistics(g, image.values, look, buffer.view, pass);
-    add_buffer_view(g, image.values, statistics, look, buffer.view, picture, area, load, pass);
+    picture = add_buffer_view(g, image.values, statistics, look, buffer.view, picture, area, load, pass);
     return {image.values, statistics, look.channels, choose_view(look, buffer.view).mode, image.absent};
 }
 
@@ -124,8 +123,9 @@ Frame build_frame(graph::Graph& g, const Renderer& renderer, const FrameContext&
     }
     add_insets(g, scene, frame, out);
     if (s.debug.wireframe && frame.can_draw_lines)
-        add_wireframe(g, out.picture, scene.aov_inputs.gbuffer.depth, out.draws, frame.scene.geometry());
-    if (frame.outlined) add_material_outline(g, scene.aov_inputs.gbuffer.id, out.picture, *frame.outlined);
+        out.picture = add_wireframe(g, out.picture, scene.aov_inputs.gbuffer.depth, out.draws, frame.scene.geometry());
+    if (frame.outlined)
+        out.picture = add_material_outline(g, scene.aov_inputs.gbuffer.id, out.picture, *frame.outlined);
     out.images = std::move(scene.aov_inputs.images);
     return out;
 }

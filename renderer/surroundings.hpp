@@ -5,10 +5,10 @@
 
 namespace atrium {
 
-/// Draws what is seen where there is no geometry into `hdr`. The floor, where `sky.floor` is on and the camera above
-/// it, takes the shadows of `maps` and is darkened near what stands on it, by passes of its own: `sky.floor`,
+/// Returns `radiance` with what is seen where there is no geometry. The floor, where `sky.floor` is on and the camera
+/// above it, takes the shadows of `maps` and is darkened near what stands on it, by passes of its own: `sky.floor`,
 /// `sky.visibility.L`, `sky.ao`. A floor that is `auto` is left to the program, and off here.
-void add_surroundings(graph::Graph& g, const FrameContext& frame, const GBuffer& gbuffer, const ShadowMapSet& maps,
-                      graph::Tex hdr);
+[[nodiscard]] graph::Tex add_surroundings(graph::Graph& g, const FrameContext& frame, const GBuffer& gbuffer,
+                                          const ShadowMapSet& maps, graph::Tex radiance);
 
 } // namespace atrium

@@ -1,4 +1,4 @@
-// Reading the G-buffer: the first six images of any pass that declared it (renderer/techniques/gbuffer/gbuffer.hpp).
+// Reading the G-buffer: the first five images of any pass that declared it (renderer/techniques/gbuffer/gbuffer.hpp).
 #ifndef GBUFFER_GLSL
 #define GBUFFER_GLSL
 #include "lib/gbuffer_packing.glsl"
@@ -8,8 +8,7 @@ layout(PASS_IMAGE(0)) uniform texture2D gbuffer_albedo;    // base colour, metal
 layout(PASS_IMAGE(1)) uniform utexture2D gbuffer_normal;   // x shading normal; y geometric normal and roughness
 layout(PASS_IMAGE(2)) uniform utexture2D gbuffer_id;       // record + 1 and dielectric F0
 layout(PASS_IMAGE(3)) uniform utexture2D gbuffer_emission; // RGB9E5, radiance x exposure
-layout(PASS_IMAGE(4)) uniform texture2D gbuffer_motion;
-layout(PASS_IMAGE(5)) uniform texture2D gbuffer_depth;     // reversed, infinite
+layout(PASS_IMAGE(4)) uniform texture2D gbuffer_depth;     // reversed, infinite
 
 /// What a pixel of the G-buffer says about its surface.
 struct Surface {

@@ -26,7 +26,7 @@ std::vector<std::byte> draw_with(rig::FrameRig& rig, const Add& add)
 {
     Engine& engine = rig::engine();
     engine.set_frame_constants(rig.request);
-    graph::Graph g;
+    graph::Graph g(engine.runner(), {rig.request.size, rig.request.size});
     const View view = make_view(describe_view(rig.request, engine.scene().bounds()));
     const LightSet lights = make_light_set(rig.request.lights, 0);
     const FrameContext context{rig.request.settings, engine.scene(), view, lights};

@@ -19,19 +19,19 @@ std::vector<std::uint32_t> slices_and_steps(int samples)
 
 } // namespace
 
-AmbientOcclusion add_ao(graph::Graph& g, const GBuffer& gb, const AoSettings& s, const std::string& prefix)
+AmbientOcclusion add_ao(graph::Graph& g, graph::Tex depth, graph::Tex normal, const View& view, const AoSettings& s,
+                        const std::string& prefix)
 {
-    if (s.method == AoMethod::off) return {};
+    if (s.method == AoMethod::off) return {g.constant(1), g.constant(1)};
     const std::uint32_t scale = s.half_resolution ? 2 : 1;
     const shared::AoPush push{s.radius, s.falloff, s.power, s.thin, scale, s.blur ? 1u : 0u};
-    const graph::TexDesc full = g.desc(gb.depth);
-    const graph::TexDesc reckoned{Format::rg32_float, (full.width + scale - 1) / scale,
-                                  (full.height + scale - 1) / scale};
+    const uvec2 full = view.render_size, size = (full + scale - 1u) / scale;
+    const graph::TexDesc reckoned{Format::rg32_float, size.x, size.y};
 
     AmbientOcclusion out;
     out.raw = g.texture(prefix + "ao.raw", reckoned);
     graph::PassBuilder pass = g.raster(prefix + "ao");
-    reads(pass, gb).writes(out.raw);
+    pass.reads(depth).reads(normal).writes(out.raw);
     if (s.method == AoMethod::gtao)
         pass.fullscreen("techniques/ao/gtao.frag", slices_and_steps(s.samples), push);
     else
@@ -40,14 +40,22 @@ AmbientOcclusion add_ao(graph::Graph& g, const GBuffer& gb, const AoSettings& s,
     out.result = out.raw;
     if (s.blur) {
         out.result = g.texture(prefix + "ao.blurred", reckoned);
-        graph::PassBuilder blur = g.raster(prefix + "ao.blur");
-        reads(blur, gb).reads(out.raw).writes(out.result).fullscreen("techniques/ao/ao_blur.frag", {}, push);
+        g.raster(prefix + "ao.blur")
+            .reads(depth)
+            .reads(normal)
+            .reads(out.raw)
+            .writes(out.result)
+            .fullscreen("techniques/ao/ao_blur.frag", {}, push);
     }
     if (s.half_resolution) {
         const graph::Tex halves = out.result;
-        out.result = g.texture(prefix + "ao", {Format::r32_float, full.width, full.height});
-        graph::PassBuilder upsample = g.raster(prefix + "ao.upsample");
-        reads(upsample, gb).reads(halves).writes(out.result).fullscreen("techniques/ao/ao_upsample.frag", {}, push);
+        out.result = g.texture(prefix + "ao", {Format::r32_float, full.x, full.y});
+        g.raster(prefix + "ao.upsample")
+            .reads(depth)
+            .reads(normal)
+            .reads(halves)
+            .writes(out.result)
+            .fullscreen("techniques/ao/ao_upsample.frag", {}, push);
     }
     return out;
 }

@@ -3,7 +3,7 @@
 
 #include "renderer/core/setting.hpp"
 #include "renderer/graph/graph.hpp"
-#include "renderer/techniques/gbuffer/gbuffer.hpp"
+#include "renderer/scene/view.hpp"
 
 #include <array>
 #include <string>
@@ -43,15 +43,15 @@ void describe(V& v, AoSettings& s)
     v("blur", s.blur, "Average the noise of 4 x 4 pixels within a surface");
 }
 
-/// Visibility of the surroundings, 0 to 1, in the first channel. Empty where the method is off.
+/// Visibility of the surroundings, 0 to 1, in the first channel. Graph::constant(1) both where the method is off.
 struct AmbientOcclusion {
     graph::Tex raw;    ///< before blur, at full or half size (second channel: distance along the view axis, m)
     graph::Tex result; ///< at full size
 };
 
-/// Reads  the G-buffer's depth and geometric normal.  Passes `ao`, `ao.blur`, `ao.upsample`, their names and those of
-/// their images behind `prefix`. Sources: the shaders.
-[[nodiscard]] AmbientOcclusion add_ao(graph::Graph& g, const GBuffer& gb, const AoSettings& s,
-                                      const std::string& prefix = "");
+/// Reads  depth and geometric normals (lib/depth_normal.glsl) of what a view sees, whose constants the frame has.
+/// Passes `ao`, `ao.blur`, `ao.upsample`, their names and those of their images behind `prefix`. Sources: the shaders.
+[[nodiscard]] AmbientOcclusion add_ao(graph::Graph& g, graph::Tex depth, graph::Tex normal, const View& view,
+                                      const AoSettings& s, const std::string& prefix = "");
 
 } // namespace atrium

@@ -49,7 +49,7 @@ graph::Tex add_fragment_count(graph::Graph& g, const AovInputs& in, const std::s
     return count;
 }
 
-/// What the shader makes of the G-buffer and of `image`.
+/// What the shader makes of the G-buffer, and of `image` where the kind is one that looks at it.
 graph::Tex add_unpacked(graph::Graph& g, const Aov& aov, const AovInputs& in, graph::Tex image, std::uint32_t kind)
 {
     graph::TexDesc desc = g.desc(in.gbuffer.depth);
@@ -59,6 +59,7 @@ graph::Tex add_unpacked(graph::Graph& g, const Aov& aov, const AovInputs& in, gr
 
     graph::PassBuilder pass = g.raster(pass_name(aov));
     reads(pass, in.gbuffer)
+        .reads(kind == shared::aov_motion ? in.gbuffer.motion : g.constant(0))
         .reads(image)
         .writes(target)
         .fullscreen("techniques/aov/aov.frag", {kind}, shared::AovPush{aov.info->background, scale});
@@ -67,7 +68,7 @@ graph::Tex add_unpacked(graph::Graph& g, const Aov& aov, const AovInputs& in, gr
 
 graph::Tex add_ao_image(graph::Graph& g, const Aov& aov, const AovInputs& in)
 {
-    if (!in.ao) return add_unpacked(g, aov, in, in.hdr, shared::aov_constant);
+    if (g.constant_value(in.ao)) return add_unpacked(g, aov, in, g.constant(0), shared::aov_constant);
     return add_unpacked(g, aov, in, aov.info->kind == shared::aov_ao ? in.ao : in.ao_raw, aov.info->kind);
 }
 
@@ -75,7 +76,7 @@ graph::Tex add_shadow_image(graph::Graph& g, const Aov& aov, const AovInputs& in
 {
     const graph::Tex image =
         in.shadow_image ? in.shadow_image(g, aov.light, aov.info->kind, pass_name(aov)) : graph::Tex{};
-    return image ? image : add_unpacked(g, aov, in, in.hdr, shared::aov_constant);
+    return image ? image : add_unpacked(g, aov, in, g.constant(0), shared::aov_constant);
 }
 
 AovImage add_image_of_graph(graph::Graph& g, const Aov& aov, const AovInputs& in)
@@ -85,14 +86,13 @@ AovImage add_image_of_graph(graph::Graph& g, const Aov& aov, const AovInputs& in
         return {add_graph_image(g, *image, aov.layer, pass), &graph_image_info(g.desc(*image).format)};
     }
     if (!in.absent_images) refuse_graph_image(g, aov, in.images);
-    return {add_unpacked(g, aov, in, in.hdr, shared::aov_constant), aov.info, true};
+    return {add_unpacked(g, aov, in, g.constant(0), shared::aov_constant), aov.info, true};
 }
 
 graph::Tex add_value(graph::Graph& g, const Aov& aov, const AovInputs& in, float exposure)
 {
     LightingTerms alone;
     alone.emission = false;
-    alone.ao = in.ao;
     alone.multi_bounce = in.multi_bounce;
     alone.scale = 1.0f / exposure;
     alone.format = Format::rgba32_float;
@@ -103,20 +103,21 @@ graph::Tex add_value(graph::Graph& g, const Aov& aov, const AovInputs& in, float
     case AovSource::depth_complexity:
         return add_fragment_count(g, in, pass_name(aov), false);
     case AovSource::ambient:
-        return add_lighting(g, in.gbuffer, alone);
+        return add_lighting(g, in.gbuffer, in.ao, g.constant_array(1), alone);
     case AovSource::ao:
         return add_ao_image(g, aov, in);
     case AovSource::shadow:
         return add_shadow_image(g, aov, in);
     case AovSource::light:
-        alone.visibility = in.visibility;
         alone.ambient = false;
         alone.first_light = in.lights.places[aov.light];
         alone.end_light = alone.first_light + 1;
         alone.end_delta = alone.first_light < in.lights.delta_count ? alone.end_light : alone.first_light;
-        return add_lighting(g, in.gbuffer, alone);
-    default:
+        return add_lighting(g, in.gbuffer, g.constant(1), in.visibility, alone);
+    case AovSource::hdr:
         return add_unpacked(g, aov, in, in.hdr, aov.info->kind);
+    default:
+        return add_unpacked(g, aov, in, g.constant(0), aov.info->kind);
     }
 }
 

@@ -82,13 +82,13 @@ using GraphImages = std::vector<std::pair<std::string, graph::Tex>>;
 struct AovInputs {
     GBuffer gbuffer;
     graph::Tex hdr;
-    graph::Tex ao_raw, ao; ///< ambient occlusion before and after its filters; none: off
+    graph::Tex ao_raw, ao; ///< ambient occlusion before and after its filters
     bool multi_bounce = false;
     std::vector<DrawList> draws; ///< one after the other
     DrawList occluders;
     Geometry geometry;
     LightSet lights;
-    graph::Tex visibility; ///< of lights; none: no light casts shadows
+    graph::Tex visibility; ///< of lights
     /// Adds an image of a light's shadows, by the user's index and shared::show_…, in a pass of that name; an empty one
     /// where the light casts none.
     std::function<graph::Tex(graph::Graph&, std::uint32_t light, std::uint32_t shown, const std::string& pass)>

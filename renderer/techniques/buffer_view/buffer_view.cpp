@@ -79,9 +79,9 @@ graph::Buf add_buffer_statistics(graph::Graph& g, graph::Tex buffer, const Buffe
     return total;
 }
 
-void add_buffer_view(graph::Graph& g, graph::Tex buffer, graph::Buf statistics, const BufferLook& look,
-                     const BufferViewSettings& s, graph::Tex picture, const PictureArea& area, graph::Load load,
-                     const std::string& name)
+graph::Tex add_buffer_view(graph::Graph& g, graph::Tex buffer, graph::Buf statistics, const BufferLook& look,
+                           const BufferViewSettings& s, graph::Tex picture, const PictureArea& area, graph::Load load,
+                           const std::string& name)
 {
     const vec2 texels = vec2(g.desc(buffer).width, g.desc(buffer).height) / vec2(area.size);
     const ChosenView view = choose_view(look, s);
@@ -100,6 +100,7 @@ void add_buffer_view(graph::Graph& g, graph::Tex buffer, graph::Buf statistics, 
             cmd.push(push);
             cmd.draw_fullscreen();
         });
+    return picture;
 }
 
 } // namespace atrium

@@ -83,10 +83,11 @@ struct PictureArea {
 [[nodiscard]] graph::Buf add_buffer_statistics(graph::Graph& g, graph::Tex buffer, const BufferLook& look,
                                                const BufferViewSettings& s, const std::string& name);
 
-/// Reads  a buffer, its statistics.  Writes  an area of the picture (RGBA8 sRGB), the nearest texel to each pixel.
+/// Reads  a buffer, its statistics.  Returns  the picture (RGBA8 sRGB) with the buffer in an area of it, the nearest
+/// texel to each pixel.
 /// @param load  what becomes of the rest of the picture
-void add_buffer_view(graph::Graph& g, graph::Tex buffer, graph::Buf statistics, const BufferLook& look,
-                     const BufferViewSettings& s, graph::Tex picture, const PictureArea& area, graph::Load load,
-                     const std::string& name);
+[[nodiscard]] graph::Tex add_buffer_view(graph::Graph& g, graph::Tex buffer, graph::Buf statistics,
+                                         const BufferLook& look, const BufferViewSettings& s, graph::Tex picture,
+                                         const PictureArea& area, graph::Load load, const std::string& name);
 
 } // namespace atrium

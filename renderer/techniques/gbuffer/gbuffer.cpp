@@ -25,7 +25,7 @@ GBuffer create_targets(graph::Graph& g, uvec2 size)
 
 graph::PassBuilder& reads(graph::PassBuilder& pass, const GBuffer& gb)
 {
-    return pass.reads(gb.albedo).reads(gb.normal).reads(gb.id).reads(gb.emission).reads(gb.motion).reads(gb.depth);
+    return pass.reads(gb.albedo).reads(gb.normal).reads(gb.id).reads(gb.emission).reads(gb.depth);
 }
 
 namespace {

@@ -29,7 +29,9 @@ struct GBuffer {
     graph::Tex albedo, normal, id, emission, motion, depth;
 };
 
-/// Declares that a pass samples the G-buffer: its first six images, as shaders/lib/gbuffer.glsl has them.
+/// Declares that a pass samples surfaces: all of the G-buffer but the motion, the pass's first five images, as
+/// shaders/lib/gbuffer.glsl has them. A pass that wants depth and normals alone reads those two
+/// (shaders/lib/depth_normal.glsl).
 graph::PassBuilder& reads(graph::PassBuilder& pass, const GBuffer& gb);
 
 /// Reads  draw commands.  Writes  albedo, normal, id, emission, motion, depth (size x size).

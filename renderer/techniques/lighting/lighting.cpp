@@ -56,28 +56,27 @@ shared::GpuLight to_gpu(const Light& light, float exposure)
     return out;
 }
 
-graph::Tex add_lighting(graph::Graph& g, const GBuffer& gb, const LightingTerms& terms)
+graph::Tex add_lighting(graph::Graph& g, const GBuffer& gb, graph::Tex ao, graph::Tex visibility,
+                        const LightingTerms& terms)
 {
     graph::TexDesc desc = g.desc(gb.depth);
     desc.format = terms.format;
     const graph::Tex radiance = g.texture(terms.target, desc);
 
-    const bool occluded = terms.ambient && terms.ao;
-    const char* shaders[2][2] = {
-        {"techniques/lighting/lighting.frag", "techniques/lighting/lighting_ao.frag"},
-        {"techniques/lighting/lighting_shadows.frag", "techniques/lighting/lighting_ao_shadows.frag"}};
     const std::uint32_t flags = (terms.ambient ? shared::term_ambient : 0u) |
                                 (terms.emission ? shared::term_emission : 0u) |
                                 (terms.multi_bounce ? shared::term_multi_bounce : 0u);
-    graph::PassBuilder pass = g.raster(terms.pass);
-    reads(pass, gb);
-    if (occluded) pass.reads(terms.ao);
-    if (terms.visibility) pass.reads(terms.visibility);
     const bool unroll = terms.first_light == 0 && terms.end_delta <= max_unrolled_lights;
-    pass.writes(radiance).fullscreen(
-        shaders[terms.visibility ? 1 : 0][occluded ? 1 : 0],
-        {unroll ? terms.end_delta : 0, terms.end_light > terms.end_delta ? 1u : 0u},
-        shared::LightingPush{terms.first_light, terms.end_delta, terms.end_light, flags, terms.scale});
+    const std::uint32_t rects = terms.end_light > terms.end_delta ? 1 : 0;
+    const std::uint32_t occluded = g.constant_value(ao) != 1.0f ? 1 : 0;
+    const std::uint32_t shadowed = g.constant_value(visibility) != 1.0f ? 1 : 0;
+    graph::PassBuilder pass = g.raster(terms.pass);
+    reads(pass, gb)
+        .reads(ao)
+        .reads(visibility)
+        .writes(radiance)
+        .fullscreen("techniques/lighting/lighting.frag", {unroll ? terms.end_delta : 0, rects, occluded, shadowed},
+                    shared::LightingPush{terms.first_light, terms.end_delta, terms.end_light, flags, terms.scale});
     return radiance;
 }
 

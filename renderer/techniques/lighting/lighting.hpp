@@ -33,17 +33,17 @@ void describe(V& v, AmbientSettings& s)
 struct LightingTerms {
     std::uint32_t first_light = 0, end_delta = 0, end_light = 0; ///< places: [first, end_delta), [end_delta, end_light)
     bool ambient = true, emission = true;
-    graph::Tex ao;             ///< what of the ambient light reaches a pixel; none: all of it
-    graph::Tex visibility;     ///< a layer for each light with a shadow_layer; none: all are seen
-    bool multi_bounce = false; ///< where it reaches little, bright surfaces hand it on
+    bool multi_bounce = false; ///< where ambient light reaches little, bright surfaces hand it on
     float scale = 1;
     gpu::Format format = gpu::Format::rgba16_float;
     std::string pass = "lighting", target = "hdr";
 };
 
-/// Reads  the G-buffer, ambient occlusion and visibility of lights where there are any.  Writes  radiance x exposure
-/// (RGBA16F by default, 0 where there is no geometry). Source: the field's standard split; BRDF and falloff:
-/// shaders/lib/brdf.glsl, lights.glsl.
-[[nodiscard]] graph::Tex add_lighting(graph::Graph& g, const GBuffer& gb, const LightingTerms& terms);
+/// Reads  surfaces; `ao`, what of the ambient light reaches a pixel; `visibility`, a layer for each light with a
+/// shadow_layer. Either may be a constant 1 (Graph::constant, constant_array): then it is not looked at.  Writes  radiance x exposure (RGBA16F by
+/// default, 0 where there is no geometry). Source: the field's standard split; BRDF and falloff: shaders/lib/brdf.glsl,
+/// lights.glsl.
+[[nodiscard]] graph::Tex add_lighting(graph::Graph& g, const GBuffer& gb, graph::Tex ao, graph::Tex visibility,
+                                      const LightingTerms& terms);
 
 } // namespace atrium

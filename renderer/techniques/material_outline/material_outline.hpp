@@ -7,7 +7,9 @@
 
 namespace atrium {
 
-/// Reads  the G-buffer's id.  Writes  over the picture, within the material's own pixels. Pass `material_outline`.
-void add_material_outline(graph::Graph& g, graph::Tex id, graph::Tex picture, std::uint32_t material);
+/// Reads  the G-buffer's id.  Returns  the picture with the line over it, within the material's own pixels, in the same
+/// image. Pass `material_outline`.
+[[nodiscard]] graph::Tex add_material_outline(graph::Graph& g, graph::Tex id, graph::Tex picture,
+                                              std::uint32_t material);
 
 } // namespace atrium

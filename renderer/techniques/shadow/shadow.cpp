@@ -77,7 +77,7 @@ std::size_t most_shadowed_lights(const ShadowSettings& s)
     return s.filter == ShadowFilter::off ? 0 : static_cast<std::size_t>(s.max_lights);
 }
 
-void add_visibility(graph::Graph& g, const GBuffer& gb, const ShadowMapSet& set, const ShadowMap& map,
+void add_visibility(graph::Graph& g, graph::Tex depth, graph::Tex normal, const ShadowMapSet& set, const ShadowMap& map,
                     const Light& light, const ShadowSettings& s, ShadowShown shown, const VisibilityTarget& target)
 {
     gpu::GraphicsPipelineDesc state;
@@ -96,7 +96,8 @@ void add_visibility(graph::Graph& g, const GBuffer& gb, const ShadowMapSet& set,
     const vec3 apart = light.position - target.centre.value_or(light.position);
     push.from_centre = {glm::dot(apart, push.right), glm::dot(apart, push.up), glm::dot(apart, push.front)};
     graph::PassBuilder pass = g.raster(target.pass);
-    reads(pass, gb)
+    pass.reads(depth)
+        .reads(normal)
         .reads(map.map)
         .reads(set.faces)
         .reads(light.type == LightType::rect ? set.square_samples : set.disc_samples)
@@ -110,21 +111,21 @@ void add_visibility(graph::Graph& g, const GBuffer& gb, const ShadowMapSet& set,
         });
 }
 
-graph::Tex create_visibility(graph::Graph& g, const GBuffer& gb, std::size_t lights, const std::string& name)
+graph::Tex create_visibility(graph::Graph& g, graph::Tex depth, std::size_t lights, const std::string& name)
 {
-    graph::TexDesc desc = g.desc(gb.depth);
+    graph::TexDesc desc = g.desc(depth);
     desc.format = Format::r32_float;
     desc.layers = static_cast<std::uint32_t>(lights);
     desc.array = true;
     return g.texture(name, desc);
 }
 
-graph::Tex add_all_visibility(graph::Graph& g, const GBuffer& gb, const ShadowMapSet& set,
+graph::Tex add_all_visibility(graph::Graph& g, graph::Tex depth, graph::Tex normal, const ShadowMapSet& set,
                               std::span<const Light> lights, const ShadowSettings& s, const ShadowReceivers& receivers)
 {
-    if (set.maps.empty()) return {};
+    if (set.maps.empty()) return g.constant_array(1);
     const std::string name = receivers.prefix + "visibility";
-    const graph::Tex visibility = create_visibility(g, gb, set.maps.size(), name);
+    const graph::Tex visibility = create_visibility(g, depth, set.maps.size(), name);
     graph::TexDesc one_layer = g.desc(visibility);
     one_layer.layers = 1;
     one_layer.array = false;
@@ -138,12 +139,12 @@ graph::Tex add_all_visibility(graph::Graph& g, const GBuffer& gb, const ShadowMa
             target.layer = 0;
             target.blurred = true;
         }
-        add_visibility(g, gb, set, map, lights[map.light], s, shared::show_visibility, target);
+        add_visibility(g, depth, normal, set, map, lights[map.light], s, shared::show_visibility, target);
         if (blurred) {
             g.raster(target.pass + ".blur")
                 .reads(target.image)
-                .reads(gb.depth)
-                .reads(gb.normal)
+                .reads(depth)
+                .reads(normal)
                 .writes_layer(visibility, i)
                 .fullscreen("techniques/shadow/visibility_blur.frag");
         }
@@ -175,9 +176,9 @@ graph::Tex add_map_distances(graph::Graph& g, const ShadowMap& map, const std::s
 
 } // namespace
 
-graph::Tex add_shadow_image(graph::Graph& g, const GBuffer& gb, const ShadowMapSet& set, std::span<const Light> lights,
-                            graph::Tex visibility, const ShadowSettings& s, std::uint32_t light, ShadowShown shown,
-                            const std::string& pass)
+graph::Tex add_shadow_image(graph::Graph& g, graph::Tex depth, graph::Tex normal, const ShadowMapSet& set,
+                            std::span<const Light> lights, graph::Tex visibility, const ShadowSettings& s,
+                            std::uint32_t light, ShadowShown shown, const std::string& pass)
 {
     const auto map =
         std::find_if(set.maps.begin(), set.maps.end(), [&](const ShadowMap& m) { return m.light == light; });
@@ -185,10 +186,10 @@ graph::Tex add_shadow_image(graph::Graph& g, const GBuffer& gb, const ShadowMapS
     if (shown == shared::show_map) return add_map_distances(g, *map, pass);
     const auto layer = static_cast<std::uint32_t>(map - set.maps.begin());
     if (shown == shared::show_visibility) return add_visibility_layer(g, visibility, layer, pass);
-    graph::TexDesc desc = g.desc(gb.depth);
+    graph::TexDesc desc = g.desc(depth);
     desc.format = Format::r32_float;
     const graph::Tex target = g.texture(pass, desc);
-    add_visibility(g, gb, set, *map, lights[light], s, shown, {pass, target});
+    add_visibility(g, depth, normal, set, *map, lights[light], s, shown, {pass, target});
     return target;
 }
 

@@ -4,7 +4,6 @@
 #include "renderer/core/setting.hpp"
 #include "renderer/graph/graph.hpp"
 #include "renderer/scene/light.hpp"
-#include "renderer/techniques/gbuffer/gbuffer.hpp"
 #include "renderer/techniques/shadow/shadow_faces.hpp"
 
 #include <array>
@@ -113,23 +112,23 @@ struct ShadowReceivers {
     bool beyond_scene = false; ///< they may lie farther from a sun than all that casts shadows
 };
 
-/// Reads  the G-buffer's depth and geometric normal, one map.  Writes  a layer of the target.
-void add_visibility(graph::Graph& g, const GBuffer& gb, const ShadowMapSet& set, const ShadowMap& map,
+/// Reads  depth and geometric normals (lib/depth_normal.glsl), one map.  Writes  a layer of the target.
+void add_visibility(graph::Graph& g, graph::Tex depth, graph::Tex normal, const ShadowMapSet& set, const ShadowMap& map,
                     const Light& light, const ShadowSettings& s, ShadowShown shown, const VisibilityTarget& target);
 
-/// An image (R32F) with a layer for each of so many lights.
-[[nodiscard]] graph::Tex create_visibility(graph::Graph& g, const GBuffer& gb, std::size_t lights,
+/// An image (R32F) as large as the depth, with a layer for each of so many lights.
+[[nodiscard]] graph::Tex create_visibility(graph::Graph& g, graph::Tex depth, std::size_t lights,
                                            const std::string& name = "visibility");
 
 /// Visibility of every light of the set: layer i of the image is that of maps[i]. Passes
-/// `visibility.L`, `visibility.L.blur`.
-[[nodiscard]] graph::Tex add_all_visibility(graph::Graph& g, const GBuffer& gb, const ShadowMapSet& set,
-                                            std::span<const Light> lights, const ShadowSettings& s,
-                                            const ShadowReceivers& receivers = {});
+/// `visibility.L`, `visibility.L.blur`. Graph::constant_array(1) where the set is empty.
+[[nodiscard]] graph::Tex add_all_visibility(graph::Graph& g, graph::Tex depth, graph::Tex normal,
+                                            const ShadowMapSet& set, std::span<const Light> lights,
+                                            const ShadowSettings& s, const ShadowReceivers& receivers = {});
 
 /// What can be looked at of a light's shadows, as an image (R32F): the map as distances along its faces' axes, m (the
 /// map's size); its layer of visibility; or what the filter found. Empty where the light, by user's index, casts none.
-[[nodiscard]] graph::Tex add_shadow_image(graph::Graph& g, const GBuffer& gb, const ShadowMapSet& set,
+[[nodiscard]] graph::Tex add_shadow_image(graph::Graph& g, graph::Tex depth, graph::Tex normal, const ShadowMapSet& set,
                                           std::span<const Light> lights, graph::Tex visibility, const ShadowSettings& s,
                                           std::uint32_t light, ShadowShown shown, const std::string& pass);
 

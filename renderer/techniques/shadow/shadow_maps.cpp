@@ -337,15 +337,15 @@ ShadowMapSet ShadowMaps::add(graph::Graph& g, const ShadowCasters& casters, cons
     return out;
 }
 
-graph::Tex ShadowMaps::add_reference(graph::Graph& g, const GBuffer& gb, const ShadowCasters& casters,
+graph::Tex ShadowMaps::add_reference(graph::Graph& g, graph::Tex depth, graph::Tex normal, const ShadowCasters& casters,
                                      const LightSet& lights, const View& view, const ShadowMapSet& set,
                                      const ShadowSettings& s)
 {
-    if (set.maps.empty()) return {};
+    if (set.maps.empty()) return g.constant_array(1);
     const auto light_count = static_cast<std::uint32_t>(set.maps.size());
     const std::uint32_t points = std::clamp(static_cast<std::uint32_t>(s.reference_points), 1u,
                                             std::max(reference_passes / (2 * light_count), 1u));
-    const graph::Tex visibility = create_visibility(g, gb, light_count);
+    const graph::Tex visibility = create_visibility(g, depth, light_count);
     ShadowSettings hard = s;
     hard.filter = ShadowFilter::hard;
     const float weight = 1 / static_cast<float>(points);
@@ -378,7 +378,7 @@ graph::Tex ShadowMaps::add_reference(graph::Graph& g, const GBuffer& gb, const S
                 commands = add_caster_culling(g, name, casters, map, tiles, light.range, reach);
             }
             add_tiles(g, name, casters, map, commands, tiles);
-            add_visibility(g, gb, moved_set, map, moved, hard, shared::show_visibility,
+            add_visibility(g, depth, normal, moved_set, map, moved, hard, shared::show_visibility,
                            {fmt::format("visibility.{}", index), visibility, k,
                             p == 0 ? graph::Load::clear : graph::Load::keep, weight, light.position});
         }

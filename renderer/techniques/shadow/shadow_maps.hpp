@@ -4,6 +4,7 @@
 #include "renderer/scene/light_set.hpp"
 #include "renderer/scene/view.hpp"
 #include "renderer/techniques/culling/culling.hpp"
+#include "renderer/techniques/gbuffer/gbuffer.hpp"
 #include "renderer/techniques/shadow/shadow.hpp"
 
 namespace atrium {
@@ -28,9 +29,9 @@ public:
                                    const View& view, const ShadowSettings& s);
     /// Visibility as the mean of hard shadows from many points of each light of the set: a map for each, drawn and
     /// looked at in turn. Passes `shadow.L.reference`, `visibility.L`.
-    [[nodiscard]] graph::Tex add_reference(graph::Graph& g, const GBuffer& gb, const ShadowCasters& casters,
-                                           const LightSet& lights, const View& view, const ShadowMapSet& set,
-                                           const ShadowSettings& s);
+    [[nodiscard]] graph::Tex add_reference(graph::Graph& g, graph::Tex depth, graph::Tex normal,
+                                           const ShadowCasters& casters, const LightSet& lights, const View& view,
+                                           const ShadowMapSet& set, const ShadowSettings& s);
 
 private:
     void tell(const std::string& text);

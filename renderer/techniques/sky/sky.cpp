@@ -25,47 +25,71 @@ FloorPlace floor_below(const Bounds& scene)
     return place;
 }
 
-FloorSurface add_floor(graph::Graph& g, const GBuffer& gb, const FloorPlace& place)
+FloorSurface add_floor(graph::Graph& g, graph::Tex depth, const FloorPlace& place)
 {
-    graph::TexDesc desc = g.desc(gb.depth);
+    graph::TexDesc desc = g.desc(depth);
     desc.format = Format::r32_float;
-    FloorSurface floor{place, gb, gb};
-    floor.visible.depth = g.texture("sky.floor.depth", desc);
-    floor.whole.depth = g.texture("sky.floor.whole_depth", desc);
-    floor.visible.normal = floor.whole.normal = g.texture("sky.floor.normal", g.desc(gb.normal));
+    FloorSurface floor;
+    floor.place = place;
+    floor.visible_depth = g.texture("sky.floor.depth", desc);
+    floor.whole_depth = g.texture("sky.floor.whole_depth", desc);
+    desc.format = Format::rg32_uint;
+    floor.normal = g.texture("sky.floor.normal", desc);
     g.raster("sky.floor")
-        .reads(gb.depth)
-        .writes(floor.visible.depth)
-        .writes(floor.whole.depth)
-        .writes(floor.visible.normal)
+        .reads(depth)
+        .writes(floor.visible_depth)
+        .writes(floor.whole_depth)
+        .writes(floor.normal)
         .fullscreen("techniques/sky/floor.frag", {}, push_of(place));
     return floor;
 }
 
-void add_sky(graph::Graph& g, graph::Tex depth, graph::Tex radiance, const FloorSurface& floor, const FloorLight& light)
+namespace {
+
+/// Draws where nothing was drawn.
+gpu::GraphicsPipelineDesc behind_everything(const char* fragment)
 {
     gpu::GraphicsPipelineDesc desc;
     desc.vertex = "lib/fullscreen.vert";
-    desc.fragment = "techniques/sky/sky.frag";
+    desc.fragment = fragment;
     desc.depth_test = gpu::DepthTest::equal_zero;
-    graph::PassBuilder pass = g.raster("sky");
-    pass.depth_test(depth).writes(radiance, graph::Load::keep);
-    if (!floor) {
-        pass.pipeline(desc).record([](graph::Cmd& cmd) {
+    return desc;
+}
+
+} // namespace
+
+graph::Tex add_sky(graph::Graph& g, graph::Tex depth, graph::Tex radiance)
+{
+    g.raster("sky")
+        .depth_test(depth)
+        .writes(radiance, graph::Load::keep)
+        .pipeline(behind_everything("techniques/sky/sky.frag"))
+        .record([](graph::Cmd& cmd) {
             cmd.bind();
             cmd.draw_fullscreen();
         });
-        return;
-    }
-    desc.fragment = light.visibility ? "techniques/sky/sky_floor_shadows.frag" : "techniques/sky/sky_floor.frag";
-    desc.constants = {light.rects ? 1u : 0u, light.ao ? 1u : 0u};
-    pass.reads(floor.visible.depth).reads(light.ao ? light.ao : floor.visible.depth);
-    if (light.visibility) pass.reads(light.visibility);
-    pass.pipeline(desc).record([push = push_of(floor.place)](graph::Cmd& cmd) {
-        cmd.bind();
-        cmd.push(push);
-        cmd.draw_fullscreen();
-    });
+    return radiance;
+}
+
+graph::Tex add_sky_and_floor(graph::Graph& g, graph::Tex depth, graph::Tex radiance, const FloorSurface& floor,
+                             const FloorLight& light)
+{
+    gpu::GraphicsPipelineDesc desc = behind_everything("techniques/sky/sky_floor.frag");
+    const auto is_one = [&](graph::Tex image) { return g.constant_value(image) == 1.0f; };
+    desc.constants = {light.rects ? 1u : 0u, is_one(light.ao) ? 0u : 1u, is_one(light.visibility) ? 0u : 1u};
+    g.raster("sky")
+        .depth_test(depth)
+        .reads(floor.visible_depth)
+        .reads(light.ao)
+        .reads(light.visibility)
+        .writes(radiance, graph::Load::keep)
+        .pipeline(desc)
+        .record([push = push_of(floor.place)](graph::Cmd& cmd) {
+            cmd.bind();
+            cmd.push(push);
+            cmd.draw_fullscreen();
+        });
+    return radiance;
 }
 
 } // namespace atrium

@@ -3,7 +3,7 @@
 
 #include "renderer/core/setting.hpp"
 #include "renderer/graph/graph.hpp"
-#include "renderer/techniques/gbuffer/gbuffer.hpp"
+#include "renderer/scene/scene.hpp"
 
 #include <array>
 
@@ -33,8 +33,7 @@ void describe(V& v, SkySettings& s)
     v("intensity", s.intensity, "Multiplies all three", Range{0, 1000}, "");
     v("floor", s.floor,
       "A floor below the scene that shows its shadows, seen by the picture and hdr alone; auto: where the scene is "
-      "seen "
-      "from outside and neither camera nor lights were given");
+      "seen from outside and neither camera nor lights were given");
 }
 
 /// Where the floor lies.
@@ -44,26 +43,29 @@ struct FloorPlace {
 };
 [[nodiscard]] FloorPlace floor_below(const Bounds& scene);
 
-/// The floor as G-buffers, of which depth (R32F; 0: nothing) and normals are its own.
+/// The floor as depth (R32F, reversed; 0: nothing) and normals, as techniques read them (lib/depth_normal.glsl).
 struct FloorSurface {
     FloorPlace place;
-    GBuffer visible; ///< where the floor is seen
-    GBuffer whole;   ///< and behind what stands before it the scene's depth
-    explicit operator bool() const { return static_cast<bool>(visible.depth); }
+    graph::Tex visible_depth; ///< where the floor is seen
+    graph::Tex whole_depth;   ///< with the scene's depth where that is in front
+    graph::Tex normal;
+    explicit operator bool() const { return static_cast<bool>(visible_depth); }
 };
-/// Reads  the G-buffer's depth.  Pass `sky.floor`.
-[[nodiscard]] FloorSurface add_floor(graph::Graph& g, const GBuffer& gb, const FloorPlace& place);
+/// Reads  depth of what the camera sees.  Pass `sky.floor`.
+[[nodiscard]] FloorSurface add_floor(graph::Graph& g, graph::Tex depth, const FloorPlace& place);
 
-/// What reaches the floor.
+/// What reaches the floor. Graph::constant(1): all of it.
 struct FloorLight {
-    graph::Tex visibility; ///< a layer for each light with a shadow_layer; none: all are seen
-    graph::Tex ao;         ///< what of the ambient light reaches it; none: all of it
+    graph::Tex visibility; ///< a layer for each light with a shadow_layer
+    graph::Tex ao;         ///< what of the ambient light reaches it
     bool rects = true;     ///< there are rectangles among the lights
 };
 
-/// Reads  depth.  Draws into `radiance` where depth is that of the far plane: the sky, and the floor where there is
-/// one.
-void add_sky(graph::Graph& g, graph::Tex depth, graph::Tex radiance, const FloorSurface& floor = {},
-             const FloorLight& light = {});
+/// Reads  depth, radiance of what is in front of the sky.  Returns  radiance with the sky where depth is that of the
+/// far plane. It is drawn into the same image: use the returned handle from then on.
+[[nodiscard]] graph::Tex add_sky(graph::Graph& g, graph::Tex depth, graph::Tex radiance);
+/// The same, with the floor in front of the sky.
+[[nodiscard]] graph::Tex add_sky_and_floor(graph::Graph& g, graph::Tex depth, graph::Tex radiance,
+                                           const FloorSurface& floor, const FloorLight& light);
 
 } // namespace atrium

@@ -4,8 +4,8 @@
 
 namespace atrium {
 
-void add_wireframe(graph::Graph& g, graph::Tex picture, graph::Tex depth, std::span<const DrawList> draws,
-                   const Geometry& geometry)
+graph::Tex add_wireframe(graph::Graph& g, graph::Tex picture, graph::Tex depth, std::span<const DrawList> draws,
+                         const Geometry& geometry)
 {
     const auto lines = [](const MaterialClassInfo&) {
         gpu::GraphicsPipelineDesc desc;
@@ -21,6 +21,7 @@ void add_wireframe(graph::Graph& g, graph::Tex picture, graph::Tex depth, std::s
         pass.writes(picture, graph::Load::keep).depth_test(depth);
         draw_scene(pass, {list, geometry}, lines);
     }
+    return picture;
 }
 
 } // namespace atrium

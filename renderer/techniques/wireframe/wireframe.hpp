@@ -8,8 +8,8 @@
 
 namespace atrium {
 
-/// Reads  draw commands, the G-buffer's depth.  Writes  over the picture. Pass `wireframe`.
-void add_wireframe(graph::Graph& g, graph::Tex picture, graph::Tex depth, std::span<const DrawList> draws,
-                   const Geometry& geometry);
+/// Reads  draw commands, depth.  Returns  the picture with the edges over it, in the same image. Pass `wireframe`.
+[[nodiscard]] graph::Tex add_wireframe(graph::Graph& g, graph::Tex picture, graph::Tex depth,
+                                       std::span<const DrawList> draws, const Geometry& geometry);
 
 } // namespace atrium

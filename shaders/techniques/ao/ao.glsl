@@ -2,8 +2,8 @@
 //
 // View space here: x right, y up, z towards the eye, m. An AO image holds visibility and the distance along the view axis
 // of the pixel that it was reckoned for; of a half-size image that is the upper left of four, never an average of them.
+#include "lib/depth_normal.glsl"
 #include "lib/frame.glsl"
-#include "lib/gbuffer.glsl"
 #include "lib/noise.glsl"
 #include "shared/ao.h"
 
@@ -21,7 +21,7 @@ vec3 ray_of(ivec2 pixel)
 vec3 to_view(vec3 world) { return vec3(dot(world, frame.right), dot(world, frame.up), -dot(world, frame.forward)); }
 
 /// Unit normal of the pixel's triangle, view space. Not the normal map's: its bumps occlude nothing.
-vec3 plane_normal(ivec2 pixel) { return to_view(oct_unpack(texelFetch(gbuffer_normal, pixel, 0).y, 12u)); }
+vec3 plane_normal(ivec2 pixel) { return to_view(fetch_geometric_normal(pixel)); }
 
 /// What a visibility becomes once its noise is averaged.
 float finished(float ao) { return pow(max(ao, 0.0), push.power); }

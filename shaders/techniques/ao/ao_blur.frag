@@ -4,7 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "techniques/ao/ao.glsl"
 
-layout(PASS_IMAGE(6)) uniform texture2D raw;
+layout(PASS_IMAGE(2)) uniform texture2D raw;
 layout(location = 0) out vec2 out_ao;
 
 void main()

@@ -9,6 +9,7 @@
 
 layout(constant_id = 0) const uint kind = aov_depth;
 layout(push_constant, scalar) uniform Push { AovPush push; };
+layout(PASS_IMAGE(5)) uniform texture2D motion;
 layout(PASS_IMAGE(6)) uniform texture2D image; // aov_hdr: radiance x exposure; aov_ao, aov_ao_raw: ambient occlusion
 layout(location = 0) out vec4 out_value;
 
@@ -48,7 +49,7 @@ vec4 value(ivec2 pixel, uint id)
     case aov_material: return vec4(float(record_table[s.record].material));
     case aov_mesh: return vec4(float(record_table[s.record].mesh));
     case aov_instance: return vec4(float(record_table[s.record].instance));
-    case aov_motion: return vec4(texelFetch(gbuffer_motion, pixel, 0).xy, 0.0, 0.0);
+    case aov_motion: return vec4(texelFetch(motion, pixel, 0).xy, 0.0, 0.0);
     case aov_light_count: return vec4(count_lights(p));
     default: return vec4(0.0);
     }

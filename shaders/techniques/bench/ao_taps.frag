@@ -1,7 +1,7 @@
 #version 460
 // floor.ao_taps: as many depths as ambient occlusion reads at a pixel, over the same reach, and the write.
 #extension GL_GOOGLE_include_directive : require
-#include "lib/gbuffer.glsl"
+#include "lib/depth_normal.glsl"
 #include "lib/frame.glsl"
 
 layout(constant_id = 0) const uint taps = 18;

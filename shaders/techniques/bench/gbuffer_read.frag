@@ -4,7 +4,7 @@
 #include "lib/gbuffer.glsl"
 
 layout(constant_id = 0) const uint visibility_layers = 0;
-layout(PASS_IMAGE(6)) uniform texture2DArray visibility; // where there are layers
+layout(PASS_IMAGE(5)) uniform texture2DArray visibility; // where there are layers
 layout(location = 0) out vec4 out_radiance;
 
 void main()

@@ -5,8 +5,8 @@
 // of depth (near / z, and linear for the sun) are linear in texels across a plane, which is why one slope says what to
 // compare with anywhere around the receiver. Heights are above the receiver's plane, towards the light, in depth.
 #include "lib/brdf.glsl"
+#include "lib/depth_normal.glsl"
 #include "lib/frame.glsl"
-#include "lib/gbuffer.glsl"
 #include "lib/noise.glsl"
 #include "lib/textures.glsl"
 #include "shared/light.h"
@@ -20,7 +20,7 @@ layout(constant_id = 4) const uint shown = show_visibility;
 layout(constant_id = 5) const bool blurred = false; // what is written is going to be
 layout(constant_id = 6) const bool beyond_scene = false; // receivers may lie behind the far side of a sun's map
 
-layout(PASS_IMAGE(6)) uniform texture2D shadow_map;
+layout(PASS_IMAGE(2)) uniform texture2D shadow_map;
 layout(PASS_BUFFER(0), scalar) readonly buffer Faces { ShadowFace faces[]; };
 layout(PASS_BUFFER(1), scalar) readonly buffer Samples { vec4 sample_table[]; };
 layout(PASS_BUFFER(2), scalar) readonly buffer Ranges { vec2 ranges[]; };
@@ -53,7 +53,7 @@ Surfel fetch_surfel(ivec2 pixel, float depth)
 {
     float z = view_distance(depth);
     vec3 ray = view_ray(gl_FragCoord.xy), p = frame.eye + ray * z;
-    vec3 n = oct_unpack(texelFetch(gbuffer_normal, pixel, 0).y, 12u);
+    vec3 n = fetch_geometric_normal(pixel);
     Surfel s;
     s.p = to_light_space(perspective ? p - push.position : p);
     s.n = to_light_space(n);
