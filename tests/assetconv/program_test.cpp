@@ -151,7 +151,7 @@ TEST(program, an_obj_behind_links_finds_what_stands_beside_each)
 {
     const Folder folder;
     folder.write("real/a.obj", "mtllib a.mtl b.mtl\n" + test::square + "usemtl a\n" + test::square_face + "usemtl b\n" +
-                                   "f 1/1/1 3/3/1 2/2/1\n");
+                                   "f 1/1/1 2/2/1 3/3/1\n");
     folder.write("real/a.mtl", "newmtl a\nKd 1 0 0\nmap_Kd ../pictures/t.png\n");
     folder.write_image("pictures/t.png", 4, 4, 3, [](int x, int) { return test::Rgb{x * 60, 0, 0}; });
     std::filesystem::create_directories(folder / "links/deep");

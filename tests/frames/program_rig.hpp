@@ -29,7 +29,7 @@ inline std::string quoted(const std::string& word)
 inline Outcome atrium(const std::vector<std::string>& arguments, const std::string& environment = "")
 {
     std::string command = environment + " " + quoted((app::this_program().parent_path() / "atrium").string());
-    for (const std::string& word : arguments) command += " " + quoted(word);
+    for (const std::string& word : arguments) command += fmt::format(" {}", quoted(word));
     Outcome outcome;
     FILE* pipe = popen((command + " 2>&1").c_str(), "r"); // NOLINT: the words are the test's own
     std::array<char, 4096> buffer{};

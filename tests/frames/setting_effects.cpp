@@ -109,6 +109,7 @@ std::vector<Effect> make_table()
         {"sky.horizon", "1:0:0", {}, {"hdr", "picture"}, {}, Place::open},
         {"sky.ground", "1:0:0", {}, {"hdr", "picture"}, {}, Place::open},
         {"sky.intensity", "0.3", {}, {"hdr", "picture"}, {}, Place::open},
+        {"sky.floor", "on", {}, {"hdr", "picture"}, {}, Place::open},
 
         {"exposure.ev100", "1", {}, {"picture"}, {}}, // one stop: exact in half floats, so AOVs stay what they are
         {"tonemap.operator", "aces", {}, {"picture"}, {}},

@@ -23,6 +23,7 @@ bool offers(const ViewModel& model, const std::string& name)
 TEST(buffers, offered_are_those_of_techniques_that_are_on)
 {
     ViewModel model;
+    model.settings.ao.method = AoMethod::off;
     EXPECT_FALSE(offers(model, "ao"));
     model.settings.ao.method = AoMethod::gtao;
     EXPECT_TRUE(offers(model, "ao"));
