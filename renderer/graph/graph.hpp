@@ -266,7 +266,8 @@ public:
     [[nodiscard]] bool holds(Buf buffer) const { return resources_[buffer.index].holds; }
     /// The persistent image of that key as it is, if there is one that views share and it holds something.
     [[nodiscard]] std::optional<Tex> kept(const std::string& key);
-    /// An image (R32F) of one texel, filled once, which stands for the result of a technique that is off.
+    /// An image (R32F) of one texel, filled once, which stands for the result of a technique that is off. Ask for it
+    /// before the pass that reads it is declared: the pass that fills it must come first.
     [[nodiscard]] Tex constant(float value);
     /// The same where shaders bind an array of images.
     [[nodiscard]] Tex constant_array(float value);

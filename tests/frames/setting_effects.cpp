@@ -20,8 +20,9 @@ const Names hdr{"hdr", "picture"};
 const Names lit = Names{"light.*"} + hdr;       ///< follows from light that arrives
 const Names seen = Names{"visibility.*"} + lit; ///< follows from shadows
 const Names looked_up = Names{"blocker.*", "penumbra.*"} + seen;
-const Names shaded = Names{"ambient"} + lit;                     ///< follows from a surface
-const Names around{"ao", "ao_raw", "ambient", "hdr", "picture"}; ///< follows from ambient occlusion
+const Names mapped = Names{"shadow_map.*", "cascade.*"} + looked_up; ///< follows from how far filters look around
+const Names shaded = Names{"ambient"} + lit;                         ///< follows from a surface
+const Names around{"ao", "ao_raw", "ambient", "hdr", "picture"};     ///< follows from ambient occlusion
 
 /// All that follows from which surface is where.
 const Names surface =
@@ -57,21 +58,13 @@ std::vector<Effect> make_table()
         {"ao.thin", "4", {{"ao.method", "ssao"}}, {}, {}},
         {"ao.multi_bounce", "on", {}, {"ambient", "picture"}, hdr},
         {"ao.half_resolution", "on", {}, {"ao", "ao_raw", "picture"}, around},
-        {"ao.blur", "off", {}, {"ao", "picture"}, Names{"ambient"} + hdr},
+        {"ao.blur", "off", {}, {"ao", "picture"}, around}, // the raw values are noisier where a blur follows
 
-        {"shadow.filter", "hard", {}, {"visibility.sun", "visibility.spot", "picture"}, looked_up},
-        {"shadow.filter", "pcf", {}, {"visibility.sun", "visibility.spot", "picture"}, looked_up},
-        {"shadow.filter", "reference", {}, {"visibility.sun", "visibility.spot", "picture"}, looked_up},
-        {"shadow.filter",
-         "off",
-         {},
-         {"visibility.sun", "shadow_map.sun", "picture"},
-         looked_up + Names{"shadow_map.*", "cascade.*"}},
-        {"shadow.resolution",
-         "64",
-         {},
-         {"visibility.sun", "shadow_map.sun", "picture"},
-         looked_up + Names{"shadow_map.*", "cascade.*"}},
+        {"shadow.filter", "hard", {}, {"visibility.sun", "visibility.spot", "picture"}, mapped},
+        {"shadow.filter", "pcf", {}, {"visibility.sun", "visibility.spot", "picture"}, mapped},
+        {"shadow.filter", "reference", {}, {"visibility.sun", "visibility.spot", "picture"}, mapped},
+        {"shadow.filter", "off", {}, {"visibility.sun", "shadow_map.sun", "picture"}, mapped},
+        {"shadow.resolution", "64", {}, {"visibility.sun", "shadow_map.sun", "picture"}, mapped},
         {"shadow.samples", "4", {}, {"visibility.spot", "picture"}, seen},
         {"shadow.samples", "4", {{"shadow.filter", "pcf"}}, {"visibility.spot", "picture"}, seen},
         {"shadow.samples", "4", {{"shadow.filter", "hard"}}, {}, {}},
@@ -79,9 +72,9 @@ std::vector<Effect> make_table()
         {"shadow.blocker_samples", "4", {{"shadow.filter", "pcf"}}, {}, {}},
         {"shadow.blur", "off", {}, {"visibility.spot", "picture"}, seen},
         {"shadow.blur", "off", {{"shadow.filter", "pcf"}}, {}, {}},
-        {"shadow.softness", "4", {}, {"visibility.spot", "penumbra.spot", "picture"}, looked_up},
+        {"shadow.softness", "4", {}, {"visibility.spot", "penumbra.spot", "picture"}, mapped},
         {"shadow.softness", "4", {{"shadow.filter", "pcf"}}, {}, {}},
-        {"shadow.radius", "12", {{"shadow.filter", "pcf"}}, {"visibility.spot", "picture"}, seen},
+        {"shadow.radius", "12", {{"shadow.filter", "pcf"}}, {"visibility.spot", "picture"}, Names{"cascade.*"} + seen},
         {"shadow.radius", "12", {}, {}, {}}, // of pcf alone
         {"shadow.bias_normal", "8", {}, {"visibility.spot", "picture"}, looked_up},
         {"shadow.bias_slope", "8", {}, {"visibility.spot", "picture"}, looked_up},
@@ -98,11 +91,7 @@ std::vector<Effect> make_table()
          {"visibility.spot", "shadow_map.spot", "picture"},
          {"visibility.point", "visibility.rect", "shadow_map.point", "shadow_map.rect", "blocker.*", "penumbra.*",
           "light.spot", "light.point", "light.rect", "hdr"}},
-        {"shadow.budget",
-         "1",
-         {},
-         {"shadow_map.sun", "visibility.sun", "picture"},
-         looked_up + Names{"shadow_map.*", "cascade.*"}},
+        {"shadow.budget", "1", {}, {"shadow_map.sun", "visibility.sun", "picture"}, mapped},
         {"shadow.reference_points", "9", {{"shadow.filter", "reference"}}, {"visibility.spot", "picture"}, seen},
 
         {"sky.zenith", "1:0:0", {}, {"hdr", "picture"}, {}, Place::open},
@@ -117,7 +106,7 @@ std::vector<Effect> make_table()
         // What is left out would not have been seen.
         {"culling.frustum", "off", {{"culling.triangles", "off"}}, {"triangles"}, {}},
         {"culling.cone", "off", {{"culling.triangles", "off"}}, {"triangles"}, {"overdraw", "depth_complexity"}},
-        {"culling.occlusion", "off", {{"culling.triangles", "off"}}, {"triangles", "depth_complexity"}, {"overdraw"}},
+        {"culling.occlusion", "off", {{"culling.triangles", "off"}}, {"triangles"}, {"overdraw", "depth_complexity"}},
         {"culling.triangles", "off", {}, {"triangles"}, {"overdraw", "depth_complexity"}},
 
         {"debug.view", "depth", {}, {"picture"}, {}},

@@ -339,6 +339,7 @@ TEST(culling, says_why_it_cannot_cull_triangles)
 TEST(draws, bind_once_per_class_and_draw_at_most_once_per_material)
 {
     rig::FrameRig rig(rig::courtyard_bake());
+    rig.request.want_picture = true; // else nobody reads what gbuffer draws
     int drawing = 0;
     for (const graph::PassStats& pass : rig.render().stats.passes) {
         if (pass.name != "gbuffer") continue;

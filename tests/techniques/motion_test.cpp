@@ -106,7 +106,7 @@ TEST(motion, of_a_camera_has_the_closed_form)
         rig.request.previous_camera = before;
         const std::map<int, MotionError> errors = motion_errors(rig, {});
         ASSERT_EQ(errors.size(), 1u) << name;
-        expect_motion(errors.at(0), 0.003, name);
+        expect_motion(errors.at(0), 0.002, name);
     }
 }
 
@@ -161,9 +161,9 @@ TEST_F(motion_of_boxes, that_move_turn_and_grow_has_the_closed_form)
             rig.request.previous_instances = {{1, before}};
             std::map<int, MotionError> errors = motion_errors(rig, {{1, {now, before}}});
             ASSERT_EQ(errors.size(), 2u) << what;
-            expect_motion(errors[1], 0.003, what);
+            expect_motion(errors[1], 0.002, what);
             if (camera_moves) {
-                expect_motion(errors[0], 0.003, what + ": what stands");
+                expect_motion(errors[0], 0.002, what + ": what stands");
             } else {
                 EXPECT_LE(errors[0].worst, 1e-6) << what; // what stands has none
                 EXPECT_GT(errors[0].pixels, 500) << what;
@@ -188,9 +188,9 @@ TEST_F(motion_of_boxes, outlives_a_change_of_their_material_s_class)
 {
     const mat4 before = glm::translate(mat4(1), vec3(1.1f, 0, 0));
     rig.request.previous_instances = {{1, before}};
-    expect_motion(motion_errors(rig, {{1, {now, before}}})[1], 0.003, "opaque");
+    expect_motion(motion_errors(rig, {{1, {now, before}}})[1], 0.002, "opaque");
     rig.request.materials = {{"grey", {{"class", "masked"}}}}; // its records are classified again
-    expect_motion(motion_errors(rig, {{1, {now, before}}})[1], 0.003, "masked");
+    expect_motion(motion_errors(rig, {{1, {now, before}}})[1], 0.002, "masked");
 }
 
 TEST_F(motion_of_boxes, changes_nothing_else)

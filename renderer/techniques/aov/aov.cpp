@@ -56,10 +56,11 @@ graph::Tex add_unpacked(graph::Graph& g, const Aov& aov, const AovInputs& in, gr
     const std::uint32_t scale = (desc.width + g.desc(image).width - 1) / g.desc(image).width;
     desc.format = aov.info->channels == 1 ? Format::r32_float : Format::rgba32_float;
     const graph::Tex target = g.texture(pass_name(aov), desc);
+    const graph::Tex motion = kind == shared::aov_motion ? in.gbuffer.motion : g.constant(0); // else it is not stored
 
     graph::PassBuilder pass = g.raster(pass_name(aov));
     reads(pass, in.gbuffer)
-        .reads(kind == shared::aov_motion ? in.gbuffer.motion : g.constant(0))
+        .reads(motion)
         .reads(image)
         .writes(target)
         .fullscreen("techniques/aov/aov.frag", {kind}, shared::AovPush{aov.info->background, scale});
