@@ -1,9 +1,9 @@
 #version 460
-// The mean of the four texels below.
+// The mean of four texels of the next finer mip.
 #extension GL_GOOGLE_include_directive : require
 #include "lib/pass.glsl"
 
-layout(PASS_IMAGE(0)) uniform texture2D finer; // one mip: its level 0
+layout(PASS_IMAGE(0)) uniform texture2D finer; // one mip, bound as level 0
 layout(location = 0) out vec4 out_color;
 
 void main()

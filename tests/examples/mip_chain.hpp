@@ -1,5 +1,5 @@
 #pragma once
-// A picture at all its sizes: the worked example of "Make and read mips" in ARCHITECTURE.md.
+// All smaller sizes of a picture: the worked example of "Make and read mips" in ARCHITECTURE.md.
 
 #include "renderer/graph/graph.hpp"
 

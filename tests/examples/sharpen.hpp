@@ -1,5 +1,5 @@
 #pragma once
-// A sharper picture: the worked example of "Write a storage image" in ARCHITECTURE.md.
+// Sharpens a picture: the worked example of "Write a storage image" in ARCHITECTURE.md.
 
 #include "renderer/graph/graph.hpp"
 

@@ -1,5 +1,5 @@
 #pragma once
-// How many surfaces lie at the depth that is seen: the worked example of a pass over the scene in ARCHITECTURE.md.
+// Number of surfaces at the visible depth: the worked example of a pass over the scene in ARCHITECTURE.md.
 
 #include "renderer/techniques/common/draw_scene.hpp"
 #include "renderer/techniques/gbuffer/gbuffer.hpp"

@@ -32,25 +32,26 @@ template <class V>
 void describe(V& v, AoSettings& s)
 {
     v.group("ao", "Ambient occlusion");
-    v("method", s.method, "How it is reckoned: points in a half ball (ssao) or horizons (gtao)", Keys{"O"});
+    v("method", s.method, "Algorithm: hemisphere samples (ssao) or horizon search (gtao)", Keys{"O"});
     v("radius", s.radius, "How far away things still darken", Range{0.01f, 50}, "m");
     v("samples", s.samples, "Depths read at each pixel", Range{2, 128}, "");
     v("falloff", s.falloff, "gtao: share of the radius over which things stop counting; 0: at once", Range{0, 1}, "");
     v("power", s.power, "Exponent of the result; 1: as reckoned", Range{0.1f, 8}, "");
     v("thin", s.thin, "gtao: how thin things are taken to be; 0: endless along the view", Range{0, 4}, "");
     v("multi_bounce", s.multi_bounce, "Let light that bright surfaces give each other into corners");
-    v("half_resolution", s.half_resolution, "Reckon every other pixel of every other row", Cpu{true});
+    v("half_resolution", s.half_resolution, "Compute at half the width and height, then upsample", Cpu{true});
     v("blur", s.blur, "Average the noise of 4 x 4 pixels within a surface");
 }
 
-/// Visibility of the surroundings, 0 to 1, in the first channel. Graph::constant(1) both where the method is off.
+/// Ambient visibility, 0 to 1, in the first channel. Both are Graph::constant(1) if the method is off.
 struct AmbientOcclusion {
     graph::Tex raw;    ///< before blur, at full or half size (second channel: distance along the view axis, m)
     graph::Tex result; ///< at full size
 };
 
-/// Reads  depth and geometric normals (lib/depth_normal.glsl) of what a view sees, whose constants the frame has.
-/// Passes `ao`, `ao.blur`, `ao.upsample`, their names and those of their images behind `prefix`. Sources: the shaders.
+/// Reads  depth and geometric normals (lib/depth_normal.glsl) at render size. `view` must be the view of the frame's
+/// constants. Passes `ao`, `ao.blur`, `ao.upsample`; `prefix` is put before their names and those of their images.
+/// Sources: the shaders.
 [[nodiscard]] AmbientOcclusion add_ao(graph::Graph& g, graph::Tex depth, graph::Tex normal, const View& view,
                                       const AoSettings& s, const std::string& prefix = "");
 

@@ -32,14 +32,14 @@ void describe(V& v, SkySettings& s)
     v("ground", s.ground, "Radiance below the horizon", Range{0, 1000}, "nit-like");
     v("intensity", s.intensity, "Multiplies all three", Range{0, 1000}, "");
     v("floor", s.floor,
-      "A floor below the scene that shows its shadows, seen by the picture and hdr alone; auto: where the scene is "
-      "seen from outside and neither camera nor lights were given");
+      "Floor below the scene that receives its shadows, only in the picture and AOV hdr; auto: on if the scene is seen "
+      "from outside and neither camera nor lights were given");
 }
 
 /// Where the floor lies.
 struct FloorPlace {
     vec3 middle{0};   ///< of the scene, at its lowest point, m, world
-    float radius = 1; ///< m around it that the scene takes up: far beyond, the floor fades to the horizon
+    float radius = 1; ///< of the scene, m: at several times this distance the floor fades to the horizon
 };
 [[nodiscard]] FloorPlace floor_below(const Bounds& scene);
 
@@ -47,22 +47,22 @@ struct FloorPlace {
 struct FloorSurface {
     FloorPlace place;
     graph::Tex visible_depth; ///< where the floor is seen
-    graph::Tex whole_depth;   ///< with the scene's depth where that is in front
+    graph::Tex whole_depth;   ///< depth of floor and scene together
     graph::Tex normal;
     explicit operator bool() const { return static_cast<bool>(visible_depth); }
 };
-/// Reads  depth of what the camera sees.  Pass `sky.floor`.
+/// Reads  the scene's depth.  Pass `sky.floor`.
 [[nodiscard]] FloorSurface add_floor(graph::Graph& g, graph::Tex depth, const FloorPlace& place);
 
-/// What reaches the floor. Graph::constant(1): all of it.
+/// Visibility of the lights from the floor, and its ambient occlusion. Graph::constant(1): nothing is hidden.
 struct FloorLight {
     graph::Tex visibility; ///< a layer for each light with a shadow_layer
-    graph::Tex ao;         ///< what of the ambient light reaches it
+    graph::Tex ao;         ///< ambient visibility
     bool rects = true;     ///< there are rectangles among the lights
 };
 
-/// Reads  depth, radiance of what is in front of the sky.  Returns  radiance with the sky where depth is that of the
-/// far plane. It is drawn into the same image: use the returned handle from then on.
+/// Reads  depth, radiance of the scene.  Returns  radiance with the sky where there is no geometry. It is drawn into
+/// the same image: use the returned handle from then on.
 [[nodiscard]] graph::Tex add_sky(graph::Graph& g, graph::Tex depth, graph::Tex radiance);
 /// The same, with the floor in front of the sky.
 [[nodiscard]] graph::Tex add_sky_and_floor(graph::Graph& g, graph::Tex depth, graph::Tex radiance,
