@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20;
 constexpr std::uint64_t default_limit = 4096 * mebibyte; // three dozen of Sponza
 
-/// Opening looks at the bulk sections by their sizes only.
+/// Opening a bake checks only the sizes of the bulk sections.
 void check_bulk(const BakeFile& bake)
 {
     for (std::uint32_t i = 0; i < bake::section_count; ++i) {
@@ -80,7 +80,7 @@ bool CachedBake::is_current(InputRecord& inputs) const
         }
         const BakeFile file(bake);
         if (hash64(std::as_bytes(std::span(file.table()))) != found.result)
-            throw Error(ExitCode::input, "it is another bake than that of its record", bake.string(), "", "");
+            throw Error(ExitCode::input, "the bake does not match its record", bake.string(), "", "");
         check_bulk(file);
         inputs = std::move(found);
         return true;
@@ -93,7 +93,7 @@ bool CachedBake::is_current(InputRecord& inputs) const
 
 void CachedBake::mark_used() const
 {
-    std::error_code ignored; // a cache that cannot be written is used all the same
+    std::error_code ignored; // a cache that cannot be written can still be read
     fs::last_write_time(record, fs::file_time_type::clock::now(), ignored);
 }
 
@@ -106,21 +106,21 @@ void trim_bakes(const fs::path& folder, std::uint64_t limit, const CachedBake& k
     };
     std::map<std::string, Entry> entries;
     std::uint64_t total = 0;
-    std::error_code ignored; // another program may remove the same
+    std::error_code ignored; // another program may remove the same file
     for (fs::directory_iterator it(folder, ignored), end; it != end; it.increment(ignored)) {
         std::error_code gone;
         const fs::path file = it->path();
         const auto time = it->last_write_time(gone);
         const std::uint64_t size = it->file_size(gone);
         if (gone) continue;
-        if (file.filename().string().starts_with(".atrium-")) { // AtomicFile's
+        if (file.filename().string().starts_with(".atrium-")) { // temporary file of AtomicFile
             if (fs::file_time_type::clock::now() - time > std::chrono::hours(24)) fs::remove(file, gone);
             continue;
         }
         if (file.extension() != ".atrium" && file.extension() != ".json") continue;
         Entry& entry = entries[file.stem().string()];
         entry.size += size;
-        // The record's time is that of the last use; a bake without one comes from an older program.
+        // The record's time is the time of the last use. A bake without a record was made by an older program.
         if (file.extension() == ".json" || entry.files.empty()) entry.used = time;
         entry.files.push_back(file);
         total += size;

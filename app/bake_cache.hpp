@@ -1,5 +1,5 @@
 #pragma once
-// The folder of bakes made of OBJ files: each a file .atrium, and beside it the record .json of what it was made from.
+// The cache of bakes of OBJ files: for each a file .atrium and, next to it, a record .json of its inputs.
 
 #include "renderer/core/input_record.hpp"
 
@@ -12,23 +12,23 @@ namespace atrium::app {
 /// $XDG_CACHE_HOME/atrium, or ~/.cache/atrium; empty when neither variable is set.
 [[nodiscard]] std::filesystem::path cache_folder();
 
-/// What the bakes may take together, in bytes: 4 GiB, or $ATRIUM_CACHE_MIB.
+/// Largest size of the cache in bytes: 4 GiB, or $ATRIUM_CACHE_MIB.
 [[nodiscard]] std::uint64_t bake_cache_limit();
 
-/// One bake's two files. `key` says everything that it depends on but its inputs.
+/// One bake's two files. `key` contains everything that the bake depends on, except its inputs.
 struct CachedBake {
     CachedBake(const std::filesystem::path& obj, const std::string& key);
     std::filesystem::path bake, record;
 
-    /// Whether the bake is there and whole, of this record, and all its inputs are as they were; `inputs` gets the
-    /// record. Says in a line why it is not, where there is more to say than that there is none.
+    /// Whether the bake exists, is undamaged, matches its record, and no input has changed; `inputs` gets the record.
+    /// If the bake exists but cannot be used, logs the reason in one line.
     [[nodiscard]] bool is_current(InputRecord& inputs) const;
-    /// Puts it last in the order in which bakes are removed.
+    /// Marks it as used now: it becomes the last one to be removed.
     void mark_used() const;
 };
 
-/// Removes the bakes that were not used for the longest time until the rest takes at most `limit` bytes; never `kept`.
-/// What a stopped program left behind goes after a day.
+/// Removes the least recently used bakes until the rest takes at most `limit` bytes; never removes `kept`. Temporary
+/// files of stopped programs are removed after a day.
 void trim_bakes(const std::filesystem::path& folder, std::uint64_t limit, const CachedBake& kept);
 
 } // namespace atrium::app

@@ -14,7 +14,7 @@ namespace atrium::app {
 /// Keyword under which pictures keep it.
 inline constexpr const char* metadata_key = "atrium";
 
-/// Settings that some device would not have by default, camera, lights, changes of the scene's materials, size and
+/// Settings that differ from the defaults of some device, camera, lights, changes of the scene's materials, size and
 /// time, as TOML. The same request gives the same text.
 [[nodiscard]] ImageMetadata describe_frame(const FrameRequest& request, double time);
 

@@ -20,8 +20,8 @@ namespace {
 constexpr int ray_count = 64;
 constexpr float enclosed_share = 0.6f; ///< of the rays that must meet the front of a surface
 constexpr float free_distance = 0.02f; ///< of the diagonal, to the nearest surface
-constexpr float room_distance = 0.06f; ///< of the diagonal: what stands in a room is farther, seats of a car are not,
-constexpr float crowded_share = 0.1f;  ///< of the rays, that is
+constexpr float room_distance = 0.06f; ///< of the diagonal: objects in a room are farther away, seats of a car are not
+constexpr float crowded_share = 0.1f;  ///< of the rays: so many in a room may hit something closer than room_distance
 
 struct Hit {
     float t = std::numeric_limits<float>::infinity();
@@ -79,7 +79,7 @@ void cast(const BakeFile& bake, std::span<const Cluster> clusters, const vec3& o
     }
 }
 
-/// What of its bake an instance shows.
+/// The part of its bake that an instance shows.
 struct Part {
     std::span<const Cluster> clusters;
     std::size_t first_vertex = 0, vertex_count = 0;
@@ -136,8 +136,8 @@ Camera outside_of(const SceneInput& scene, float fov, float aspect)
     return frame_points(sets, fov, aspect);
 }
 
-/// Whether the middle of the scene is a room: nothing stands close to it and little near it, and in most directions
-/// lies the front of a surface.
+/// Whether the middle of the scene is in a room: no surface is very close, few are near, and most rays from there hit
+/// the front of a surface.
 bool is_room(const SceneInput& scene, const Bounds& bounds)
 {
     std::atomic<int> fronts = 0, close_hits = 0, near_hits = 0;
@@ -147,7 +147,7 @@ bool is_room(const SceneInput& scene, const Bounds& bounds)
         if (hit.t < free_distance * bounds.diagonal()) ++close_hits;
         if (hit.t < room_distance * bounds.diagonal()) ++near_hits;
     });
-    log_verbose(fmt::format("from the middle {} of {} rays meet the front of a surface, {} closer than {:.2g} m",
+    log_verbose(fmt::format("from the middle {} of {} rays hit the front of a surface, {} closer than {:.2g} m",
                             fronts.load(), ray_count, near_hits.load(), room_distance * bounds.diagonal()));
     return close_hits == 0 && static_cast<float>(near_hits) <= crowded_share * ray_count &&
            static_cast<float>(fronts) >= enclosed_share * ray_count;

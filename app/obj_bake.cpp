@@ -57,7 +57,7 @@ ObjBake::ObjBake(const std::filesystem::path& obj, double scale, const std::stri
                     "neither XDG_CACHE_HOME nor HOME is set",
                     "set one, or bake by hand: assetconv bake SCENE.obj -o SCENE.atrium");
     }
-    static_cast<void>(bake_cache_limit()); // a bad value is told before minutes of baking
+    static_cast<void>(bake_cache_limit()); // report a bad value before minutes of baking
     if (cached_.is_current(inputs_)) {
         cached_.mark_used();
         for (const std::string& note : inputs_.notes) log_warning(note);
@@ -76,7 +76,7 @@ ObjBake::ObjBake(const std::filesystem::path& obj, double scale, const std::stri
                     "set XDG_CACHE_HOME to a folder that can be written");
     }
     log_info(fmt::format("baking {} to {}", obj.string(), cached_.bake.string()));
-    // Not the path with its links resolved: what stands beside a link belongs to the scene too.
+    // The path with its links unresolved: files next to a link belong to the scene too.
     std::vector<std::string> command{converter.string(),
                                      "bake",
                                      std::filesystem::absolute(obj).string(),
@@ -127,7 +127,7 @@ void ObjBake::finish(int code)
     if (finished_) return;
     finished_ = true;
     inputs_ = InputRecord::from_json(read_text(cached_.record), cached_.record.string());
-    if (scratch_) { // else assetconv has said them itself
+    if (scratch_) { // otherwise assetconv has printed them itself
         for (const std::string& note : inputs_.notes) log_warning(note);
     }
     trim_bakes(cached_.bake.parent_path(), bake_cache_limit(), cached_);

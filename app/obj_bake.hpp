@@ -19,7 +19,7 @@ public:
     /// What assetconv says: goes to stderr, or is kept for progress() and errors.
     enum class Output { shown, kept };
 
-    /// Warnings of the bake are said on stderr in any case, also of one that the cache has. Throws Error.
+    /// Warnings of the bake are always printed to stderr, also for a cached bake. Throws Error.
     ObjBake(const std::filesystem::path& obj, double scale, const std::string& up, Output output);
 
     /// Whether the bake is there. Throws Error where it could not be made.
@@ -29,7 +29,7 @@ public:
     /// The last line that assetconv said.
     [[nodiscard]] std::string progress() const;
     [[nodiscard]] const std::filesystem::path& bake() const { return cached_.bake; }
-    /// Every file that it was made from; empty until it is there.
+    /// Every file that the bake was made from; empty until there is a bake.
     [[nodiscard]] std::vector<std::filesystem::path> inputs() const { return inputs_.files(); }
 
 private:

@@ -77,7 +77,8 @@ std::vector<std::string> command_names(const CLI::App& app)
     return names;
 }
 
-/// Throws when the command line does not begin with a command: what stands after an unknown one has no meaning yet.
+/// Throws if the command line does not begin with a command. Must come first: options after an unknown command have no
+/// meaning.
 void check_command(const CLI::App& app, std::span<const char* const> arguments)
 {
     const std::vector<std::string> commands = command_names(app);
@@ -89,7 +90,7 @@ void check_command(const CLI::App& app, std::span<const char* const> arguments)
         const std::vector<std::string> options = option_names(app);
         const std::string name = first.substr(0, first.find('='));
         if (std::find(options.begin(), options.end(), name) != options.end()) return;
-        throw Error(ExitCode::usage, fmt::format("no command stands before {}", name), app.get_name(), all,
+        throw Error(ExitCode::usage, fmt::format("no command before {}", name), app.get_name(), all,
                     did_you_mean(name, options, "begin with a command: atrium COMMAND OPTIONS"));
     }
     if (std::find(commands.begin(), commands.end(), first) != commands.end()) return;
@@ -152,7 +153,7 @@ void add_frame_options(CLI::App& command, FrameOptions& o)
     };
     command
         .add_option_function<std::string>("--from", set_from,
-                                          "where a camera that is not given stands: outside or inside the scene "
+                                          "place of the default camera: outside or inside the scene "
                                           "(inside if its middle is a room)")
         ->check(CLI::IsMember({"outside", "inside"}));
     command.add_option("--light", o.lights, "add a light: TYPE,key=value,… (docs/lights.md)")->allow_extra_args(false);

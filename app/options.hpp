@@ -22,7 +22,7 @@ struct SceneOptions {
     std::string bake_up = "y";
 };
 
-/// Where a camera that nobody gave may stand.
+/// Place of the default camera.
 enum class CameraFrom { anywhere, outside, inside };
 
 struct FrameOptions {

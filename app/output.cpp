@@ -106,7 +106,7 @@ void OutputPlan::refuse_inputs(std::span<const std::filesystem::path> inputs) co
         if (!writes(i)) continue;
         std::vector<OutputFile> files{{"-o", numbered_name(picture_, i)}};
         for (const AovOutput& aov : aovs_) files.push_back({"--aov", numbered_name(aov.file, i)});
-        // Of a million frames few are there, and what is not there is no input.
+        // Few files of a long sequence exist yet, and a file that does not exist is not an input.
         std::erase_if(files, [](const OutputFile& f) { return !std::filesystem::exists(f.file); });
         refuse_overwriting(files, inputs);
     }

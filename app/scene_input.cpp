@@ -149,7 +149,7 @@ std::vector<Light> collect_lights(const FrameOptions& o, const SceneInput& scene
 Camera choose_camera(const FrameOptions& o, const SceneInput& scene)
 {
     Camera camera;
-    bool drawn_before = false; // on a path, the eye may meet its target: so it was drawn, so it is drawn again
+    bool drawn_before = false; // a path's camera may have its eye at its target; it is drawn again as it was
     const auto& cameras = scene.file.cameras;
     if (o.eye) {
         camera.eye = *o.eye;
@@ -189,7 +189,7 @@ uvec2 picture_size(const FrameOptions& o, const SceneInput& scene)
 void tell_camera(const SceneInput& scene, const FrameOptions& o)
 {
     if (scene.found && scene.found->inside && o.from == CameraFrom::anywhere)
-        log_info("the camera stands inside the scene, which is a room; --from outside shows it from outside");
+        log_info("the camera was placed inside the scene, which is a room; --from outside places it outside");
 }
 
 FrameRequest make_request(const FrameOptions& o, const SceneInput& scene, const SettingChain& chain)

@@ -15,7 +15,7 @@ namespace atrium::app {
 /// A camera for a scene that has none.
 struct FoundCamera {
     Camera camera;
-    bool inside = false; ///< of the scene, else all of it is seen
+    bool inside = false; ///< the scene; otherwise outside, with the whole scene in view
 };
 
 struct SceneInput {
@@ -23,8 +23,8 @@ struct SceneInput {
     std::vector<Instance> instances;
     SceneFile file;                           ///< empty but for its bake when SCENE is no scene file
     FrameConfig config;                       ///< of --config
-    std::vector<std::filesystem::path> files; ///< all that were read for it: none of them may be an output
-    std::optional<FoundCamera> found;         ///< where neither the options nor the scene give one
+    std::vector<std::filesystem::path> files; ///< every file that was read: none of them may be an output
+    std::optional<FoundCamera> found;         ///< if neither the options nor the scene have a camera
     [[nodiscard]] SceneDescription description() const;
 };
 
@@ -37,8 +37,8 @@ class SettingChain {
 public:
     /// Weakest first: defaults, the device's preset, --preset, scene file, --config, --set.
     SettingChain(const FrameOptions& o, const SceneInput& scene);
-    /// Fresh settings with the chain applied; `sky.floor` is on where it is `auto` and camera and light are the
-    /// program's own. Throws Error naming the nearest key, or the range.
+    /// New settings with the chain applied; a `sky.floor` of `auto` is replaced by `on` if camera and light are the
+    /// program's defaults. Throws Error naming the nearest key, or the range.
     [[nodiscard]] Settings apply(bool cpu_device) const;
 
 private:
@@ -72,10 +72,10 @@ private:
 /// By its ending.
 [[nodiscard]] bool is_obj(const std::filesystem::path& scene);
 
-/// Finds the scene's camera where none is given: inside where its middle is free and mostly enclosed, else all of it is
-/// framed; or where `--from` says.
+/// The default camera, if none is given: inside if the middle of the scene is free and mostly enclosed, otherwise
+/// outside with the whole scene in view. `--from` overrides the choice.
 void find_camera(SceneInput& scene, const FrameOptions& o);
-/// Says so where the camera that was found stands inside, and how to get out.
+/// Logs a line if the default camera is inside the scene, with the option that places it outside.
 void tell_camera(const SceneInput& scene, const FrameOptions& o);
 
 /// --size, the picture's given as --config, or 1280x720.

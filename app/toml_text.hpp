@@ -14,7 +14,8 @@ namespace atrium::app {
 /// A TOML basic string, with its quotes.
 [[nodiscard]] std::string toml_string(std::string_view text);
 
-/// The shortest text that reads back the same; a float where a TOML integer would not hold the value (-0, large ones).
+/// The shortest text that reads back the same; written as a float if a TOML integer cannot hold the value (-0, large
+/// ones).
 [[nodiscard]] std::string toml_number(float value);
 [[nodiscard]] std::string toml_number(double value);
 [[nodiscard]] std::string toml_vector(const vec3& v);

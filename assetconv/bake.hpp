@@ -27,7 +27,7 @@ struct BakeOptions {
 
 /// Throws Error(input) when the OBJ is missing or holds no face that can be drawn, and with `strict` at the first
 /// missing file or material. The same input gives the same bytes whatever the number of threads. `inputs` gets every
-/// file that was read and every name that was looked for in vain.
+/// file that was read and every name that was searched.
 [[nodiscard]] BakeData bake_scene(const BakeOptions& options, InputRecord* inputs = nullptr);
 
 /// Parses the OBJ (tinyobjloader) and decodes its textures (OpenImageIO), and keeps nothing: what a renderer without a

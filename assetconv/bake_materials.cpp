@@ -56,7 +56,8 @@ void assign(const ObjFile& obj, const std::vector<MtlMaterial>& mtl, MaterialSet
     }
 }
 
-/// One spelling for each file; ".." is taken away only where no link stands before it, which it would lead elsewhere.
+/// One spelling for each file. ".." is removed only if the folder before it is not a link, where it would lead
+/// elsewhere.
 fs::path plain_path(const fs::path& file)
 {
     const fs::path normal = file.lexically_normal();

@@ -91,7 +91,7 @@ public:
         app.add_option("--jobs", jobs_, "threads (default: all cores)")->type_name("N");
         app.add_option("--json", json_, "write what `info --json` tells; - for standard output")->type_name("FILE");
         app.add_option("--dependencies", dependencies_,
-                       "write what the bake was made from, to know when to make it again")
+                       "write the inputs of the bake as JSON, to know when to bake again")
             ->type_name("FILE");
         app.footer("Example:\n  assetconv bake sponza.obj --scale 0.01 -o sponza.atrium");
     }
@@ -143,7 +143,7 @@ private:
         return o;
     }
 
-    /// After the bake: a record without its bake, or of another one, is worth nothing.
+    /// Written after the bake: a record without its bake, or of another bake, is useless.
     void write_dependencies(const std::filesystem::path& output, InputRecord inputs,
                             const std::vector<std::string>& warnings) const
     {
@@ -288,15 +288,14 @@ struct CommandLine {
         for (const auto& [sub, command] : commands) names.push_back(sub->get_name());
         const std::string all = fmt::format("the commands are: {}", fmt::join(names, ", "));
         if (arguments.empty())
-            throw Error(ExitCode::usage, "no command given", "command line", all,
-                        "`assetconv --help` tells about them");
+            throw Error(ExitCode::usage, "no command given", "command line", all, "`assetconv --help` lists them");
         const std::string& first = arguments.front();
         if (first == "--help" || first == "-h" || first == "--version") return;
         if (std::find(names.begin(), names.end(), first) != names.end()) return;
         if (first.starts_with('-')) names = {"--help", "--version"};
         throw Error(ExitCode::usage,
                     fmt::format("unknown {} \"{}\"", first.starts_with('-') ? "option" : "command", first),
-                    "command line", all, did_you_mean(first, names, "`assetconv --help` tells about them"));
+                    "command line", all, did_you_mean(first, names, "`assetconv --help` lists them"));
     }
 };
 

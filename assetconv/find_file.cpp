@@ -67,7 +67,7 @@ std::vector<fs::path> folders_of(const fs::path& file)
         if (!fs::is_symlink(at, failed)) break;
         const fs::path next = fs::read_symlink(at, failed);
         if (failed) break;
-        at = at.parent_path() / next; // an absolute link stands alone
+        at = at.parent_path() / next; // an absolute link replaces the folder
     }
     return folders;
 }

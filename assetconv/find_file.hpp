@@ -11,14 +11,14 @@
 
 namespace atrium {
 
-/// Where names in `file` are looked for: the folder that its path says, then those of the links behind that path, the
-/// last of which is the real file's own.
+/// Folders in which names in `file` are searched: the folder of its path, then, if that is a symbolic link, the folders
+/// of the files it leads to, up to the folder of the real file.
 [[nodiscard]] std::vector<std::filesystem::path> folders_of(const std::filesystem::path& file);
 
-/// Looks for `name` (with / between folders; `..` allowed, an absolute path counts as its last part) from `folders`, in
-/// their order: as written, then without regard to case, then its last part beside, then that with other image endings
-/// (png tga jpg jpeg dds) when `any_image_ending`. Regular files only. Every path tried is put into `tried`; what
-/// another file in these folders could change is put into `inputs`.
+/// Searches `name` (with / between folders; `..` allowed, an absolute path counts as its last part) in `folders`, in
+/// their order: as written, then without regard to case, then only its last part, then that with other image extensions
+/// (png tga jpg jpeg dds) if `any_image_ending`. Regular files only. Every path tried is added to `tried`; `inputs`
+/// gets the searches whose result would change if files appear in these folders or are removed.
 [[nodiscard]] std::optional<std::filesystem::path> find_file(const std::vector<std::filesystem::path>& folders,
                                                              std::string_view name, bool any_image_ending,
                                                              InputRecord& inputs,

@@ -155,7 +155,7 @@ std::vector<std::string> warning_lines(const Scene& scene)
             std::find_if(kinds.begin(), kinds.end(), [&](const WarningKind& k) { return k.name == w.kind; });
         std::string line =
             fmt::format("{} x {}: {}; first: {}", w.count, w.kind, kind == kinds.end() ? "" : kind->meaning, w.first);
-        // The place quotes a file of unknown origin, whose control characters are not for a terminal.
+        // The place quotes an untrusted file: no control characters may reach the terminal.
         std::replace_if(
             line.begin(), line.end(), [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }, '?');
         lines.push_back(std::move(line));

@@ -11,7 +11,7 @@ namespace {
 constexpr double largest_contrast = 256;
 constexpr int search_steps = 14;
 
-/// Gauss's three points on [0, 1] and their weights.
+/// Three-point Gauss-Legendre quadrature on [0, 1]: points and weights.
 constexpr std::array<double, 3> gauss_points{0.1127016653792583, 0.5, 0.8872983346207417};
 constexpr std::array<double, 3> gauss_weights{5.0 / 18, 8.0 / 18, 5.0 / 18};
 
@@ -20,7 +20,7 @@ struct Cell {
     double top_left, top_right, low_left, low_right;
 };
 
-/// Where a side of the cell crosses zero, or nowhere (a value beyond 1).
+/// Position of the zero crossing on a side of the cell; greater than 1 if there is none.
 double crossing(double from, double to)
 {
     return (from >= 0) != (to >= 0) ? from / (from - to) : 2.0;
@@ -60,7 +60,7 @@ struct Axis {
     [[nodiscard]] double width(int cell) const { return clamp && (cell < 0 || cell == size - 1) ? 0.5 : 1; }
 };
 
-/// The two texels beside a point and how far it is from the first, `at` being a share of 2^32 of the axis.
+/// The two texels around a point and its distance from the first. `at`: position along the axis, 2^32 for all of it.
 struct Between {
     int first, second;
     float share;
@@ -155,7 +155,7 @@ std::optional<MaskLevel<std::uint8_t>> fit_mask(const MaskLevel<float>& mean, co
     MaskLevel<std::uint8_t> out{mean.width, mean.height, std::vector<std::uint8_t>(mean.alpha.size())};
     const double spread = std::max(deviation_of(mean.alpha), 1e-6);
     const auto contrast = static_cast<float>(std::clamp(deviation / spread, 1.0, largest_contrast));
-    // `threshold` is the average that comes out at the cutoff: the larger, the less is solid.
+    // `threshold` is the average alpha that is mapped to the cutoff: a larger value makes less of the mask solid.
     const auto area_at = [&](float threshold) {
         for (std::size_t i = 0; i < out.alpha.size(); ++i) {
             const float a = test.cutoff + contrast * (mean.alpha[i] - threshold);

@@ -1,5 +1,5 @@
 #pragma once
-// Alpha of the coarser levels of a mask, so that as much of it is solid at a distance as from near.
+// Alpha of the coarser mip levels of a mask, so that its solid area is the same at any distance.
 
 #include <cstdint>
 #include <optional>
@@ -26,20 +26,20 @@ struct MaskLevel {
 [[nodiscard]] double covered_area(const MaskLevel<std::uint8_t>& level, const MaskTest& test);
 
 /// Alpha codes of a coarser level whose covered area is `wanted` (within mask_area_tolerance), made of the area average
-/// `mean` (0 to 1) by one contrast and one offset, cut to 0..255. The contrast gives back the spread that averaging
-/// took: `deviation` is the standard deviation of the finest level's alpha. Nothing where no offset reaches the area:
-/// the mask has become flat at this size. Source: Castaño 2010, "Computing Alpha Mipmaps", there by scale and at texel
-/// centres, where hard masks end exactly at the cutoff and what is filtered between them falls below.
+/// `mean` (0 to 1) by one contrast and one offset, clamped to 0..255. The contrast restores the spread that averaging
+/// removed: `deviation` is the standard deviation of the finest level's alpha. Nothing if no offset gives the area: the
+/// mask is flat at this size. Source: Castaño 2010, "Computing Alpha Mipmaps", which scales alpha and counts texel
+/// centres; hard masks are then exactly at the cutoff there, and below it between them.
 [[nodiscard]] std::optional<MaskLevel<std::uint8_t>> fit_mask(const MaskLevel<float>& mean, const MaskTest& test,
                                                               double wanted, double deviation);
 
-/// Whether what a sampler mixes of two levels covers `wanted` too, within mixed_area_tolerance: at one, two and three
-/// quarters, by counting points.
+/// Whether blends of two levels, as a trilinear sampler makes them, also cover `wanted` within mixed_area_tolerance:
+/// tested at blend factors of 1/4, 1/2 and 3/4, by counting points.
 [[nodiscard]] bool mix_well(const MaskLevel<std::uint8_t>& fine, const MaskLevel<std::uint8_t>& coarse,
                             const MaskTest& test, double wanted);
 
-/// Differences of the covered area that are accepted in a level and between two, relative to the smaller one of the
-/// solid and the open share.
+/// Accepted errors of the covered area, in one level and between two levels, relative to the smaller one of the solid
+/// and the open share.
 inline constexpr double mask_area_tolerance = 0.03, mixed_area_tolerance = 0.1;
 
 /// Standard deviation of the values.

@@ -116,7 +116,7 @@ MipLevel encode(const FloatLevel& level, MipSpace space)
     return out;
 }
 
-/// The alpha of four channels by itself.
+/// The alpha channel of an RGBA image.
 template <class Value>
 MaskLevel<Value> alpha_of(int width, int height, std::span<const Value> texels)
 {
@@ -133,7 +133,7 @@ public:
           deviation_(deviation_of(alpha_of<float>(finest.width, finest.height, finest.values).alpha))
     {}
 
-    /// Fits `out`, which follows `before`. False where the mask has become too flat for it.
+    /// Fits the alpha of `out`, the level after `before`. False if the mask is too flat at this size.
     bool fit(const FloatLevel& level, const MipLevel* before, MipLevel& out) const
     {
         const auto fitted =

@@ -19,9 +19,9 @@ struct MipLevel {
 };
 
 /// The whole chain down to 1 x 1. Each level is the exact area average of the one before, at odd sizes too. With a
-/// `mask` (four channels) the alpha of every level covers as large an area as that of the finest one (fit_mask), and
-/// the chain ends before the size at which the mask has become flat: no alpha could keep the area there. Levels whose
-/// larger side exceeds `max_size` are left out, one always stays.
+/// `mask` (four channels) the alpha of every level covers the same area as the finest one (fit_mask), and the chain
+/// ends before the size at which the mask is too flat to keep its area. Levels whose larger side exceeds `max_size` are
+/// left out, but one is always kept.
 [[nodiscard]] std::vector<MipLevel> build_mips(const PackedImage& image, MipSpace space,
                                                const std::optional<MaskTest>& mask, std::uint32_t max_size);
 

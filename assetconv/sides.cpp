@@ -6,7 +6,8 @@
 namespace atrium {
 namespace {
 
-/// How far winding and the file's normals agree: positive, against each other: negative, no normals: 0.
+/// Agreement of winding and the file's normals: positive if they agree, negative if they are opposite, 0 without
+/// normals.
 double agreement(const SourceScene& scene, const SourceTriangle& t)
 {
     return glm::dot(area_normal(scene, t), glm::dvec3(t.normals[0] + t.normals[1] + t.normals[2]));

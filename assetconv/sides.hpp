@@ -14,9 +14,9 @@ inline constexpr double winding_agreement = 0.99;
 /// winding_agreement of its triangles. A triangle without normals agrees with nothing.
 [[nodiscard]] bool winding_is_unreliable(const SourceScene& scene, const SourceMesh& mesh);
 
-/// Turns the triangles of two-sided meshes with unreliable winding that wind against the file's normals, so that the
-/// side that is lit as front is where the normals point. Meshes stay two-sided, and triangles without normals stay as
-/// they are. Counted as "winding-turned".
+/// Reverses triangles whose winding contradicts the file's normals, in two-sided meshes with unreliable winding, so
+/// that the side that the normals point to is lit as the front. Meshes stay two-sided; triangles without normals are
+/// not changed. Counted as "winding-turned".
 void turn_to_normals(SourceScene& scene, const std::filesystem::path& file, Warnings& warnings);
 
 } // namespace atrium

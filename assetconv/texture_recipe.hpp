@@ -35,7 +35,7 @@ struct TextureRecipe {
     std::optional<MapInput> color;
     // base_color
     std::optional<MapInput> alpha; ///< opacity; none: 1 everywhere
-    std::optional<float> cutoff;   ///< of a mask, whose area the mips keep: alpha below it is a hole
+    std::optional<float> cutoff;   ///< of a mask: alpha below it is a hole; mips keep the covered area
     // normal
     bool from_height = false;
     bool green_down = false;

@@ -104,7 +104,7 @@ struct Engine::State {
     gpu::PresentMode present_mode = gpu::PresentMode::on;
     gpu::Buffer ltc; ///< the table of area lights
     std::unique_ptr<GpuScene> scene;
-    std::array<std::optional<float>, 2> last_exposures; ///< by PictureSlot: of the last frame that each view showed
+    std::array<std::optional<float>, 2> last_exposures; ///< by PictureSlot: exposure of the last frame of each view
     std::unique_ptr<Renderer> renderer;
     RenderPath path = RenderPath::deferred;
 };
@@ -201,7 +201,7 @@ void Engine::forget_frames()
 
 namespace {
 
-/// The view that a request is of: the picture beside the main one has a history of its own.
+/// The view of a request: the second picture of a split view has its own history.
 PictureSlot slot_of(const FrameRequest& request)
 {
     return request.keep_picture.value_or(PictureSlot::main);

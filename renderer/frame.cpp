@@ -67,7 +67,7 @@ BufferLook look_of(const AovInfo& info, float scene_size)
                               : BufferLook{info.channels, info.view_mode, 0, scene_size};
 }
 
-/// Shows an AOV in an area of `picture`, which becomes the one with it.
+/// Shows an AOV in an area of `picture`, which is replaced by the new handle.
 ShownBuffer show_buffer(graph::Graph& g, const Inset& buffer, const SceneImages& scene, const FrameContext& frame,
                         graph::Tex& picture, const PictureArea& area, graph::Load load, const std::string& pass)
 {

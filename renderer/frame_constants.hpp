@@ -1,5 +1,5 @@
 #pragma once
-// From what a frame is asked for to its view, and on to the uniform buffer.
+// From a frame's request to its view, and from there to the uniform buffer.
 
 #include "renderer/frame_request.hpp"
 #include "renderer/scene/light_set.hpp"
@@ -8,8 +8,8 @@
 
 namespace atrium {
 
-/// The view of a request, as far as that says it: what was before (`previous_exposure`, and whether there was anything)
-/// only the engine knows.
+/// The view of a request, without what only the engine knows: `previous_exposure`, and whether there was a previous
+/// frame.
 [[nodiscard]] ViewDescription describe_view(const FrameRequest& request, const Bounds& scene);
 
 [[nodiscard]] shared::FrameConstants make_frame_constants(const View& view, const LightSet& lights,

@@ -1,6 +1,7 @@
 #pragma once
-// What one frame in flight writes on the host's side, and what it leaves there. There is one frame in flight; with more
-// of them there are more of these, and nothing else that the host writes for a frame.
+// The uniform buffer and the readbacks of one frame in flight. There is one; more frames in flight would each have an
+// object of this type. Not in here yet, although the host writes or reads them for each frame: draw order and records
+// (GpuScene), shadow faces (ShadowMaps), triangles of the interface (Ui), timers (graph::Runner).
 
 #include "renderer/gpu/resources.hpp"
 #include "renderer/graph/graph.hpp"
@@ -14,14 +15,14 @@
 
 namespace atrium {
 
-/// Buffers that the CPU reads results from, kept from frame to frame.
+/// Buffers from which the CPU reads results; their memory is kept from frame to frame.
 class Readbacks {
 public:
     explicit Readbacks(const gpu::Device& device) : device_(device) {}
-    /// Those of the frame before may be used again.
+    /// The buffers of the previous frame may be used again.
     void begin() { used_ = 0; }
-    /// Adds a pass `readback.NAME` that copies all texels, or the first bytes, to where the CPU reads them once the
-    /// graph has run.
+    /// Adds a pass `readback.NAME` that copies all texels, or the first bytes, to a buffer that the CPU can read after
+    /// the graph has run.
     const gpu::Buffer& add(graph::Graph& g, graph::Tex texture, const std::string& name);
     const gpu::Buffer& add(graph::Graph& g, graph::Buf from, std::uint64_t bytes, const std::string& name);
 
@@ -32,7 +33,7 @@ private:
     std::size_t used_ = 0;
 };
 
-/// What the device left in a buffer that is read back.
+/// The contents of a buffer that was read back.
 [[nodiscard]] std::span<const std::byte> bytes_in(const gpu::Buffer& buffer);
 
 class FrameResources {

@@ -17,13 +17,13 @@
 
 namespace atrium {
 
-/// Bytes of what culling single triangles reads and writes, each through one binding.
+/// Sizes in bytes of the buffers that culling of single triangles uses, each through one binding.
 struct TriangleBytes {
     std::uint64_t vertices = 0, indices = 0;
     std::uint64_t task_indices = 0; ///< a copy of the indices of every instance
 };
 
-/// Why the device cannot cull single triangles of such a scene, in one line; empty: it can.
+/// In one line, why the device cannot cull single triangles of such a scene; empty if it can.
 [[nodiscard]] std::string triangle_culling_refusal(const gpu::DeviceReport& device, const TriangleBytes& bytes);
 
 class GpuScene {
@@ -50,7 +50,7 @@ public:
     [[nodiscard]] const gpu::Buffer& whole_meshes() const { return whole_meshes_; }
     [[nodiscard]] std::span<const DrawRange> whole_mesh_ranges() const { return whole_ranges_; }
 
-    /// What has no effect with this scene on this device, and why, in one line; empty: everything has.
+    /// In one line, which setting has no effect with this scene on this device, and why; empty if all have.
     [[nodiscard]] const std::string& note() const { return note_; }
 
     [[nodiscard]] const Bounds& bounds() const { return bounds_; } ///< of all instances, world
@@ -64,8 +64,8 @@ public:
     /// Shows materials() with further overrides, instead of those of the last call. Whether that may change which
     /// pixels a surface covers. Between frames only.
     bool override_materials(std::span<const MaterialOverride> overrides);
-    /// Where instances were in the frame before; all others, and those of the last call, are where they were. Costs
-    /// nothing where none moved. After override_materials(). Between frames only.
+    /// Sets where instances were in the previous frame; all others, also those of the last call, have not moved. Costs
+    /// nothing if none has moved. Call it after override_materials(), and only between frames.
     void set_previous_instances(std::span<const PreviousInstance> moved);
     [[nodiscard]] std::uint32_t material_of_task(std::uint32_t ordered) const { return sorted_[ordered].material; }
 

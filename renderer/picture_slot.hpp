@@ -5,7 +5,7 @@
 
 namespace atrium {
 
-/// A window shows one picture, or, left of a divider, another one beside it.
+/// A window shows the main picture and, in a split view, another one left of the divider.
 enum class PictureSlot : std::uint8_t { main, other };
 
 } // namespace atrium

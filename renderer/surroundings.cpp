@@ -5,7 +5,7 @@
 namespace atrium {
 namespace {
 
-constexpr float contact_radius = 0.1f; ///< of the scene's diagonal: the floor darkens that far from what stands on it
+constexpr float contact_radius = 0.1f; ///< of the scene's diagonal: radius of the floor's ambient occlusion
 constexpr int contact_samples = 8;
 
 FloorSurface add_visible_floor(graph::Graph& g, const FrameContext& frame, graph::Tex depth)

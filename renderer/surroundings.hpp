@@ -5,9 +5,9 @@
 
 namespace atrium {
 
-/// Returns `radiance` with what is seen where there is no geometry. The floor, where `sky.floor` is on and the camera
-/// above it, takes the shadows of `maps` and is darkened near what stands on it, by passes of its own: `sky.floor`,
-/// `sky.visibility.L`, `sky.ao`. A floor that is `auto` is left to the program, and off here.
+/// Returns `radiance` with sky and floor where there is no geometry. If `sky.floor` is on and the camera is above the
+/// floor, the floor receives the shadows in `maps` and ambient occlusion, by passes of its own: `sky.floor`,
+/// `sky.visibility.L`, `sky.ao`. `auto` counts as off here: the program decides it before.
 [[nodiscard]] graph::Tex add_surroundings(graph::Graph& g, const FrameContext& frame, const GBuffer& gbuffer,
                                           const ShadowMapSet& maps, graph::Tex radiance);
 

@@ -31,7 +31,7 @@ void keep(graph::Graph& g, graph::Tex from, const std::string& name)
     const uvec2 size = g.size(from);
     const graph::Tex kept =
         g.persistent(name, {gpu::Format::rgba8_unorm, size.x, size.y}, {.owner = graph::Owner::program});
-    // Copied as they stand, colours stay encoded, as the interface over them is.
+    // Copied without conversion: colours stay sRGB-encoded, like those of the interface.
     g.transfer(name + ".keep").reads(from).writes(kept).record([=](graph::Cmd& cmd) { cmd.copy(from, kept); });
 }
 
@@ -59,7 +59,7 @@ void Ui::keep_insets(graph::Graph& g, graph::Tex insets)
 void Ui::add_pictures(graph::Graph& g, graph::Tex window, float divider)
 {
     const std::optional<graph::Tex> main = g.kept(main_picture);
-    if (!main) throw std::logic_error("a window's contents before any picture");
+    if (!main) throw std::logic_error("the window is drawn before there is a picture");
     const graph::Tex other = divider > 0 ? g.kept(other_picture).value_or(*main) : *main;
     const uvec2 size = g.size(window);
     const bool texel_by_texel = g.size(*main) == size && g.size(other) == size;

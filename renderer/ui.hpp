@@ -27,7 +27,7 @@ struct UiDraws {
     std::vector<UiCommand> commands;
 };
 
-/// What is in a window. Its last pictures are the graph's, which keeps them as long as the program runs.
+/// The contents of a window. The graph keeps its last pictures as long as the program runs.
 class Ui {
 public:
     explicit Ui(const gpu::Device& device) : device_(device) {}

@@ -39,7 +39,7 @@ public:
     Settings settings;
     SettingList list; ///< bound to `settings`; its defaults are those of Settings
     Camera camera;
-    std::vector<Light> lights;                    ///< named, no name twice, each with an id that no other ever had
+    std::vector<Light> lights;                    ///< with unique names; ids are unique and never reused
     std::optional<std::size_t> selected;          ///< of `lights`
     std::optional<Split> split;                   ///< no part of undo and redo
     std::vector<PinnedBuffer> pinned;             ///< at most max_insets, no name twice

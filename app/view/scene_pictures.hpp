@@ -76,7 +76,7 @@ private:
     [[nodiscard]] FrameRequest wanted_frame(const Settings& settings, uvec2 size) const;
     [[nodiscard]] Insets wanted_insets(const Look& look) const;
     [[nodiscard]] Source source_now(const Settings& settings, const Look& look) const;
-    /// Whether a picture drawn now would be drawn from the same. Compares in place: it is asked in every frame.
+    /// Whether a picture drawn now would have the same source. Called in every frame, so it compares without copies.
     [[nodiscard]] bool is_still(const Source& source, const Settings& settings, const Look& look) const;
     /// `before`: the camera of what stands.
     [[nodiscard]] std::optional<std::string> draw_side(PictureSlot slot, const Look& look, const Camera& before);

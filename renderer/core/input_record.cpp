@@ -34,7 +34,7 @@ std::string lower_case(std::string_view text)
 std::vector<std::string> entries_of(const fs::path& folder)
 {
     std::vector<std::string> names;
-    std::error_code ignored; // a folder that is not there has no entries
+    std::error_code ignored; // a folder that does not exist has no entries
     for (fs::directory_iterator at(folder.empty() ? fs::path(".") : folder, ignored), end; at != end;
          at.increment(ignored)) {
         names.push_back(at->path().filename().string());
@@ -57,7 +57,7 @@ std::optional<std::uint64_t> hash_of(const fs::path& file)
 {
     try {
         return hash64(MappedFile(file).bytes());
-    } catch (const Error&) { // whoever reads the file tells
+    } catch (const Error&) { // the reader of the file reports it
         return std::nullopt;
     }
 }
@@ -67,7 +67,7 @@ std::int64_t nanoseconds(const timespec& time)
     return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
 }
 
-/// Names of files are bytes, JSON's texts are UTF-8.
+/// File names are bytes; JSON strings are UTF-8.
 std::string escaped(const std::string& bytes)
 {
     std::string out;
@@ -117,7 +117,7 @@ void InputRecord::add_file(const fs::path& file)
 {
     std::error_code failed;
     File entry;
-    entry.path = fs::absolute(file, failed); // not normal: ".." behind a link leads elsewhere
+    entry.path = fs::absolute(file, failed); // not normalised: ".." after a link leads elsewhere
     if (!kept_ || failed || !look(entry.path, entry.state)) return;
     const auto same = [&](const File& f) { return f.path == entry.path; };
     if (std::any_of(files_.begin(), files_.end(), same)) return;
@@ -156,7 +156,7 @@ std::string InputRecord::change() const
         const auto [at, is_new] = entries.try_emplace(search.folder);
         if (is_new) at->second = entries_of(search.folder);
         if (pick_like(at->second, search.name) != search.found)
-            return fmt::format("{} came or went", (search.folder / search.name).string());
+            return fmt::format("{} was added or removed", (search.folder / search.name).string());
     }
     return "";
 }

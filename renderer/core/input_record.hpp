@@ -1,6 +1,6 @@
 #pragma once
-// What a result was made from, so that it is made again exactly when one of its inputs is another: every file that was
-// read, and every name that was looked for in a folder.
+// The inputs of a result: every file that was read, and every name that was searched in a folder. The result is made
+// again exactly when one of them has changed.
 
 #include <cstdint>
 #include <filesystem>
@@ -10,7 +10,7 @@
 
 namespace atrium {
 
-/// Entries of a folder that equal `name` but for the case of ASCII letters, in byte order.
+/// Entries of a folder that equal `name` except for the case of ASCII letters, in byte order.
 [[nodiscard]] std::vector<std::string> entries_like(const std::filesystem::path& folder, std::string_view name);
 
 class InputRecord {
@@ -20,17 +20,17 @@ public:
 
     /// To be called before the file is read. One that does not exist is left out.
     void add_file(const std::filesystem::path& file);
-    /// `found`: what entries_like() gave. Other entries of the folder may come and go.
+    /// `found`: the result of entries_like(). Other entries of the folder may change.
     void add_search(const std::filesystem::path& folder, std::string_view name, const std::vector<std::string>& found);
 
     /// Absolute, in the order of adding.
     [[nodiscard]] std::vector<std::filesystem::path> files() const;
-    /// The first input that is not as it was, in words; empty when all are. A file counts as it was when its times,
-    /// inode and size are those of then, else when its bytes are: so a copy or a `touch` changes nothing.
+    /// A message about the first input that has changed; empty if none has. A file is unchanged if its times, inode and
+    /// size are the same, or else if its contents are: a copy or a `touch` is no change.
     [[nodiscard]] std::string change() const;
 
     std::uint64_t result = 0;       ///< a hash of the result that the record belongs to
-    std::vector<std::string> notes; ///< lines to be said whenever the result is used
+    std::vector<std::string> notes; ///< lines to print each time the result is used
 
     /// Paths are written byte for byte, with %XX for what is not printable ASCII.
     [[nodiscard]] std::string to_json() const;
@@ -40,7 +40,7 @@ public:
 private:
     struct State {
         std::uint64_t device = 0, inode = 0, size = 0;
-        std::int64_t modified = 0, changed = 0; ///< ns since 1970; `changed` also tells edits that reset `modified`
+        std::int64_t modified = 0, changed = 0; ///< ns since 1970; `changed` also detects edits that reset `modified`
         bool operator==(const State&) const = default;
     };
     struct File {

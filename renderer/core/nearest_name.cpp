@@ -42,10 +42,10 @@ std::string_view own_part(std::string_view name, std::string_view other)
     return name;
 }
 
-/// Whether a typing mistake explains that distance between the two.
+/// Whether a typing mistake can explain this distance between the two.
 bool is_near(std::string_view typed, std::string_view candidate, std::size_t distance)
 {
-    constexpr std::size_t shortest_part = 3; // fewer letters begin too many names
+    constexpr std::size_t shortest_part = 3; // too many names begin with fewer letters
     const std::string_view t = own_part(typed, candidate), c = own_part(candidate, typed);
     const std::size_t letters = std::max(t.size(), c.size());
     const std::size_t allowed = std::max<std::size_t>(1, letters / 3);

@@ -1,5 +1,5 @@
 #pragma once
-// No output may take the place of an input.
+// No output may replace an input.
 
 #include <filesystem>
 #include <span>
@@ -13,8 +13,8 @@ struct OutputFile {
     std::filesystem::path file; ///< empty or "-" (standard output) is no file
 };
 
-/// Whether both paths lead to one file: through symbolic links, hard links, "..", or in another spelling. Where one
-/// does not exist yet, the paths are compared with their links resolved as far as they exist.
+/// Whether both paths lead to the same file: through symbolic links, hard links, "..", or in another spelling. If one
+/// does not exist yet, the paths are compared with links resolved in the parts that exist.
 [[nodiscard]] bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
 /// Throws Error(usage) when writing one of `outputs` would replace one of `inputs`. To be called before anything is

@@ -142,7 +142,7 @@ void SettingList::add(std::string_view name, std::string_view help, Setting sett
         return setting.value();
     };
     setting.cpu_value = take_default(setting.cpu_default);
-    setting.default_value = take_default(setting.default_text); // the default last: it stays
+    setting.default_value = take_default(setting.default_text); // the default last: the field keeps it
     settings_.push_back(std::move(setting));
 }
 

@@ -58,7 +58,7 @@ struct EnumField {
 
 /// One setting, bound to the live field it was described with, which must outlive it.
 struct Setting {
-    using Value = std::variant<bool, int, float, std::string, vec3>; ///< of an enum: its index
+    using Value = std::variant<bool, int, float, std::string, vec3>; ///< of an enum the index
     std::string key, group_title, unit, help;
     std::optional<Range> range;
     std::vector<std::string> values; ///< of an enum; of text, those that offer() said
@@ -72,7 +72,7 @@ struct Setting {
     /// The value as --set takes it; set_text(get()) changes nothing.
     [[nodiscard]] std::string get() const;
     [[nodiscard]] Value value() const;
-    /// Whether the field has its default, on a CPU device that of one. Makes no text.
+    /// Whether the field has its default (on a CPU device the CPU default). Compares values, not texts.
     [[nodiscard]] bool is_default(bool is_cpu) const { return value() == (is_cpu ? cpu_value : default_value); }
     /// What is wrong with `text` (and the advice), or nothing, and then the field is changed.
     struct Refusal {
@@ -161,7 +161,7 @@ void bind(Setting& setting, T& value)
 
 namespace detail {
 
-/// The visitor that notes where the fields of a struct are.
+/// The visitor that collects the addresses of a struct's fields.
 struct FieldAddresses {
     std::vector<const void*> fields; ///< in order of description
     void group(std::string_view /*prefix*/, std::string_view /*title*/) {}
@@ -187,13 +187,13 @@ struct FieldComparison {
 
 } // namespace detail
 
-/// Whether two structs have equal values in all fields that describe() lists. Makes no texts: it is asked in every
-/// frame of the window.
+/// Whether two structs have equal values in all fields that describe() lists. The window calls it in every frame, so it
+/// compares values, not texts.
 template <class S>
 [[nodiscard]] bool same_settings(const S& a, const S& b)
 {
     detail::FieldAddresses of_a;
-    describe(of_a, const_cast<S&>(a)); // which changes nothing: the visitors only read
+    describe(of_a, const_cast<S&>(a)); // safe: the visitors only read
     detail::FieldComparison comparison{of_a.fields};
     describe(comparison, const_cast<S&>(b));
     return comparison.same;

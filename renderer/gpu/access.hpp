@@ -24,7 +24,7 @@ enum class Access : std::uint8_t {
     address_compute,    ///< the same in compute shaders
     address_vertex,     ///< the same in vertex, tessellation and geometry shaders
     address_write,      ///< the same in compute shaders: written, perhaps read too
-    acceleration_input, ///< buffer that the build of an acceleration structure reads: vertices, instances, a lower one
+    acceleration_input, ///< buffer that an acceleration structure build reads: vertices, instances, another structure
     acceleration_build, ///< buffer of an acceleration structure that is built or updated, or the build's scratch
     acceleration_fragment, ///< buffer of an acceleration structure that fragment shaders trace rays in
     acceleration_compute,  ///< the same in compute shaders

@@ -63,7 +63,7 @@ VkDescriptorSetLayout pass_set_layout(VkDevice device, std::span<const PassBindi
     return create_layout(device, all, 0);
 }
 
-/// For the sets of some hundred passes; there are as many pools as a frame needs.
+/// For the sets of some hundred passes; more pools are created if a frame needs them.
 constexpr std::uint32_t sets_per_pool = 256;
 constexpr std::array<VkDescriptorPoolSize, 3> pass_pool_sizes{{
     {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, sets_per_pool * 8},
@@ -84,7 +84,7 @@ VkDescriptorPool create_pool(VkDevice device, std::uint32_t sets, std::span<cons
     return pool;
 }
 
-/// Null where the pool is exhausted.
+/// Null if the pool is exhausted.
 VkDescriptorSet try_allocate_set(VkDevice device, VkDescriptorPool pool, const VkDescriptorSetLayout& layout)
 {
     VkDescriptorSetAllocateInfo allocate{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
@@ -270,7 +270,7 @@ VkDescriptorSet Descriptors::allocate_pass_set(VkDescriptorSetLayout layout)
     }
     pass_pools_.push_back(create_pool(device_.handle(), sets_per_pool, pass_pool_sizes, 0));
     const VkDescriptorSet set = try_allocate_set(device_.handle(), pass_pools_.back(), layout);
-    if (!set) throw std::logic_error("a pass binds more than a pool of descriptors holds");
+    if (!set) throw std::logic_error("a pass binds more descriptors than a pool holds");
     return set;
 }
 

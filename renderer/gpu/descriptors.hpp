@@ -42,10 +42,10 @@ struct PassBinding {
     VkDescriptorType type = VK_DESCRIPTOR_TYPE_MAX_ENUM;
     auto operator<=>(const PassBinding&) const = default;
 };
-/// A layout of set 2, by number: Descriptors::pass_layout(). The first has no bindings.
+/// Number of a layout of set 2, from Descriptors::pass_layout(). Number 0 has no bindings.
 using PassLayout = std::uint32_t;
 
-/// What a binding of set 2 is filled with: an image view and its layout, or a buffer.
+/// The descriptor for a binding of set 2: an image view and its layout, or a buffer.
 struct PassDescriptor {
     PassBinding at;
     VkImageView view = VK_NULL_HANDLE;
@@ -98,7 +98,7 @@ private:
     std::vector<Set2> pass_layouts_;
     std::map<std::vector<PassBinding>, PassLayout> pass_layout_numbers_;
     VkDescriptorPool table_pool_ = VK_NULL_HANDLE;
-    std::vector<VkDescriptorPool> pass_pools_; ///< filled one after the other, in each frame again
+    std::vector<VkDescriptorPool> pass_pools_; ///< used one after the other, and reset in each frame
     std::size_t pass_pool_ = 0;                ///< the one in use
     VkDescriptorSet textures_ = VK_NULL_HANDLE, frame_ = VK_NULL_HANDLE;
     std::array<VkSampler, static_cast<std::size_t>(SamplerSlot::count)> samplers_{};

@@ -51,7 +51,8 @@ struct DeviceReport {
     bool is_cpu = false;
     std::uint32_t subgroup_size = 1;
     std::uint32_t subpixel_bits = 4; ///< of the positions that rasterisation rounds to
-    std::uint32_t sample_counts = 1; ///< the sum of those that colour and depth targets can have: 1, 2, 4…
+    std::uint32_t sample_counts =
+        1; ///< bit mask of the sample counts (1, 2, 4…) that colour and depth targets can have
     std::uint32_t widest_image = 4096;
     std::uint64_t storage_range = 0; ///< bytes that one storage buffer binding reaches
     VkPhysicalDevice handle = VK_NULL_HANDLE;

@@ -68,7 +68,7 @@ std::vector<VkPipelineColorBlendAttachmentState> blend_states(const GraphicsPipe
     return states;
 }
 
-/// Throws std::logic_error where the parts of a description contradict each other.
+/// Throws std::logic_error if the parts of a description contradict each other.
 void check_description(const GraphicsPipelineDesc& desc, const std::string& name)
 {
     const auto refuse = [&](const char* why) { throw std::logic_error(fmt::format("pipeline of {}: {}", name, why)); };
@@ -80,7 +80,7 @@ void check_description(const GraphicsPipelineDesc& desc, const std::string& name
     if (!desc.blends.empty() && desc.blends.size() != desc.colors.size()) refuse("not one blending per target");
 }
 
-/// Throws Error(environment) where the device lacks what a pipeline needs.
+/// Throws Error(environment) if the device lacks what a pipeline needs.
 void check_features(const GraphicsPipelineDesc& desc, const std::string& name, const DeviceReport& device)
 {
     const auto refuse = [&](const std::string& lacked) {
@@ -147,8 +147,8 @@ VkPipeline Pipelines::create(const GraphicsPipelineDesc& desc)
     const VkPipelineVertexInputStateCreateInfo input = vertex_input(desc.input);
     VkPipelineInputAssemblyStateCreateInfo assembly{VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
     assembly.topology = vk(desc.topology);
-    // With the origin at the lower left, `ccw` in a shader means what it means in GLSL's own specification: triangles
-    // turn as their patch does.
+    // With the origin at the lower left, `ccw` in a shader has the meaning of the GLSL specification: triangles keep
+    // the winding of their patch.
     VkPipelineTessellationDomainOriginStateCreateInfo origin{
         VK_STRUCTURE_TYPE_PIPELINE_TESSELLATION_DOMAIN_ORIGIN_STATE_CREATE_INFO};
     origin.domainOrigin = VK_TESSELLATION_DOMAIN_ORIGIN_LOWER_LEFT;
@@ -162,7 +162,8 @@ VkPipeline Pipelines::create(const GraphicsPipelineDesc& desc)
     raster.lineWidth = 1;
     raster.polygonMode = desc.lines ? VK_POLYGON_MODE_LINE : VK_POLYGON_MODE_FILL;
     VkPipelineMultisampleStateCreateInfo multisample{VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
-    multisample.rasterizationSamples = static_cast<VkSampleCountFlagBits>(desc.samples); // a bit is its count
+    multisample.rasterizationSamples =
+        static_cast<VkSampleCountFlagBits>(desc.samples); // the flag's value is the sample count
     const VkPipelineDepthStencilStateCreateInfo depth = depth_state(desc);
     const std::vector<VkPipelineColorBlendAttachmentState> blends = blend_states(desc);
     VkPipelineColorBlendStateCreateInfo blend{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};

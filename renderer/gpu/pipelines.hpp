@@ -25,20 +25,20 @@ enum class DepthTest : std::uint8_t {
     equal_zero
 }; ///< reversed depth; equal_zero: only where nothing was drawn
 
-/// What vertices form. Patches are for tessellation, and only for it.
+/// Primitive topology. Patches are required for tessellation and allowed only with it.
 enum class Topology : std::uint8_t { triangles, lines, points, patches };
 
 /// What a pass draws with. Formats and sample count come from the pass's attachments; cull mode is dynamic state.
-/// Shaders are named by their path below shaders/; an empty name: there is no such stage.
+/// Shaders are named by their path below shaders/; an empty name means that the stage is not used.
 struct GraphicsPipelineDesc {
-    std::string vertex, fragment;                              ///< no fragment shader where only depth is drawn
+    std::string vertex, fragment;                              ///< no fragment shader if only depth is drawn
     std::string tessellation_control, tessellation_evaluation; ///< both or none; OptionalFeatures::tessellation
     std::string geometry;                                      ///< OptionalFeatures::geometry
     VertexInput input = VertexInput::none;
     Topology topology = Topology::triangles;
     std::uint32_t patch_points = 0; ///< control points of a patch
     Blend blend = Blend::off;       ///< of every target
-    std::vector<Blend> blends;      ///< one per target, in place of `blend`; empty: all alike
+    std::vector<Blend> blends;      ///< one per target, instead of `blend`; empty: `blend` for all
     DepthTest depth_test = DepthTest::off;
     bool depth_write = false;
     bool lines = false;                   ///< edges of triangles only; OptionalFeatures::lines
@@ -47,7 +47,7 @@ struct GraphicsPipelineDesc {
     Format depth = Format::none;          ///< filled in by the graph
     std::uint32_t samples = 1;            ///< filled in by the graph
     PassLayout pass_layout = 0;           ///< of set 2, filled in by the graph
-    /// The shaders of all stages that it has.
+    /// The shaders of all used stages.
     [[nodiscard]] std::vector<std::string> shaders() const;
     auto operator<=>(const GraphicsPipelineDesc&) const = default;
 };
@@ -77,7 +77,7 @@ public:
     [[nodiscard]] VkPipeline get(const ComputePipelineDesc& desc);
     [[nodiscard]] bool exists(const GraphicsPipelineDesc& desc) const { return graphics_.contains(desc); }
     [[nodiscard]] bool exists(const ComputePipelineDesc& desc) const { return compute_.contains(desc); }
-    /// What a shader that the program was built with binds in set 2, in ascending order.
+    /// The bindings in set 2 of a shader that the program was built with, in ascending order.
     [[nodiscard]] const std::vector<PassBinding>& pass_bindings(const std::string& shader);
     /// Puts other code in the place of a shader's, also in the pipelines that exist. No frame is in flight. Throws
     /// Error, and changes nothing, where the code wants other inputs than what is embedded, or the driver refuses it.

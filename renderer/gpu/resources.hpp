@@ -59,12 +59,12 @@ struct ImageDesc {
 /// Mip levels and array layers of an image.
 struct ImagePart {
     std::uint32_t first_mip = 0, mips = 1, first_layer = 0, layers = 1;
-    bool array = false; ///< a view of an array even where it has one layer
+    bool array = false; ///< an array view even for one layer
     bool operator==(const ImagePart&) const = default;
 };
 
-/// A 2D image with a view of all of it (of an array, where it has layers) and views of its parts. Memory is its own, or
-/// (create_unbound) bound by the owner of a shared block.
+/// A 2D image with a view of all of it (an array view if it has several layers) and views of its parts. It has its own
+/// memory, or (create_unbound) memory that the owner of a shared block binds.
 class Image {
 public:
     Image() = default;
@@ -83,7 +83,7 @@ public:
 
     [[nodiscard]] VkImage handle() const { return image_; }
     [[nodiscard]] VkImageView view() const { return view_; }
-    /// Of some mips and layers; an array where the part has several layers. Created on first use and kept.
+    /// View of some mips and layers; an array view for several layers. Created on first use and kept.
     [[nodiscard]] VkImageView view(const ImagePart& part) const;
     [[nodiscard]] const ImageDesc& desc() const { return desc_; }
 
@@ -100,8 +100,8 @@ private:
         VkImageView view;
     };
     mutable std::vector<PartView> part_views_; ///< those asked for so far
-    VmaAllocation allocation_ = nullptr;       ///< null when the memory is somebody else's
-    bool others_ = false;                      ///< so is the image
+    VmaAllocation allocation_ = nullptr;       ///< null if the memory has another owner
+    bool others_ = false;                      ///< the image has another owner
 };
 
 /// A block of device memory in which several transient images lie.

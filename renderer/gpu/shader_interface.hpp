@@ -19,7 +19,7 @@ using ShaderInterface = std::map<std::string, std::string>;
 /// Of SPIR-V with one entry point, called main. Throws Error(input) for what is no SPIR-V.
 [[nodiscard]] ShaderInterface find_interface(std::span<const std::uint32_t> code);
 
-/// What a shader binds in set 2, in ascending order. Throws Error(input) for what is no SPIR-V.
+/// The bindings of a shader in set 2, in ascending order. Throws Error(input) if the bytes are not SPIR-V.
 [[nodiscard]] std::vector<PassBinding> find_pass_bindings(std::span<const std::uint32_t> code);
 
 /// What keeps a shader from standing in the place of another: something that it wants beyond the other or in another

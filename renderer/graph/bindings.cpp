@@ -16,7 +16,7 @@ constexpr VkDescriptorType image = VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE;
 constexpr VkDescriptorType buffer = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
 constexpr VkDescriptorType storage_image = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 
-/// A kind of descriptor, where set 2 counts it from, and what shaders call it.
+/// A kind of descriptor, its first binding in set 2, and its macro in shaders.
 struct Kind {
     VkDescriptorType type;
     std::uint32_t first;

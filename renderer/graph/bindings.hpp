@@ -1,5 +1,5 @@
 #pragma once
-// Set 2 of a pass: which of its declared uses are bound where, and whether its shaders agree.
+// Set 2 of a pass: the binding of each declared use, and a check against the bindings of its shaders.
 
 #include "renderer/graph/graph.hpp"
 
@@ -14,18 +14,18 @@ struct BoundUse {
     std::size_t use = 0; ///< index into Pass::uses
 };
 
-/// The bindings of a pass in ascending order: its n-th sampled image, storage buffer and storage image, each counted by
-/// itself (shaders/shared/pass.h). Transfer passes bind nothing. `is_image`: by resource.
+/// The bindings of a pass in ascending order: sampled images, storage buffers and storage images, each kind numbered in
+/// order of declaration (shaders/shared/pass.h). Transfer passes bind nothing. `is_image`: by resource.
 [[nodiscard]] std::vector<BoundUse> bind_uses(const Pass& pass, const std::function<bool(ResourceIndex)>& is_image);
 
-/// What a shader of the pass binds in set 2, by its name.
+/// The name of a shader of the pass, and its bindings in set 2.
 struct ShaderBindings {
     std::string shader;
     std::vector<gpu::PassBinding> bindings;
 };
 
-/// Throws std::logic_error, naming pass, resource and shader, where a shader binds what the pass does not declare, or
-/// in another kind, or where a declared resource is bound by none of the shaders. `name_of`: of resources.
+/// Throws std::logic_error with the names of pass, resource and shader if a shader binds something that the pass does
+/// not declare or declares as another kind, or if no shader binds a declared resource. `name_of`: of resources.
 void check_bindings(const Pass& pass, const std::vector<BoundUse>& declared, const std::vector<ShaderBindings>& shaders,
                     const std::function<std::string(ResourceIndex)>& name_of);
 

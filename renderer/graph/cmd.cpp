@@ -9,7 +9,7 @@
 namespace atrium::graph {
 namespace {
 
-/// Work groups along an axis of a dispatch, and commands of an indirect draw, that every device takes.
+/// Limits that every device supports: work groups along an axis of a dispatch, and commands of an indirect draw.
 constexpr std::uint32_t most_at_once = 65535;
 
 } // namespace

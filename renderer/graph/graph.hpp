@@ -35,23 +35,23 @@ struct Buf {
     explicit operator bool() const { return index != no_resource; }
 };
 
-/// What the size of a texture follows.
+/// What the size of a texture is relative to.
 enum class SizeOf : std::uint8_t { absolute, render, output };
 
-inline constexpr std::uint32_t all_mips = 0; ///< as many mips as it takes to come down to one texel
+inline constexpr std::uint32_t all_mips = 0; ///< all mips down to one texel
 
-/// Declaring a texture resolves what is relative: Graph::desc() gives its size and number of mips.
+/// When a texture is declared, its relative size is computed: Graph::desc() returns size and number of mips.
 struct TexDesc {
     gpu::Format format = gpu::Format::none;
     std::uint32_t width = 1, height = 1, layers = 1;
     std::uint32_t mips = 1, samples = 1;
     SizeOf size_of = SizeOf::absolute;
-    std::uint32_t divisor = 1; ///< of a relative size, which is rounded up
-    bool array = false;        ///< shaders read it as an array even where it has one layer
+    std::uint32_t divisor = 1; ///< of a relative size; the result is rounded up
+    bool array = false;        ///< shaders read it as an array even if it has one layer
     bool operator==(const TexDesc&) const = default;
 };
 
-/// A texture as large as what is rendered, or the output; each side divided by `divisor`, rounded up.
+/// A texture of the render size or output size; each side is divided by `divisor` and rounded up.
 [[nodiscard]] constexpr TexDesc render_sized(gpu::Format format, std::uint32_t divisor = 1)
 {
     return {.format = format, .size_of = SizeOf::render, .divisor = divisor};
@@ -61,15 +61,15 @@ struct TexDesc {
     return {.format = format, .size_of = SizeOf::output, .divisor = divisor};
 }
 
-/// What a graph knows of the frame that it is built for.
+/// Facts of the frame that a graph is built for.
 struct FrameInfo {
     uvec2 render_size{0}, output_size{0}; ///< pixels
-    /// Whose picture it is. Views that take turns on one runner each have a history of their own.
+    /// Name of the view. Views that take turns on one runner have separate histories.
     std::string view = "main";
-    bool cut = false; ///< what the view showed before says nothing of what it shows now: no history is valid
+    bool cut = false; ///< the view shows something unrelated to its previous frame: no history is valid
 };
 
-/// Who shares what lives from frame to frame, and how long it stays.
+/// Which views share a persistent resource, and when it is released.
 enum class Owner : std::uint8_t {
     view,    ///< each view has its own; released after several frames of the view that did not declare it
     scene,   ///< one for all views; released the same way, counting frames of the view that declared it last
@@ -78,14 +78,14 @@ enum class Owner : std::uint8_t {
 
 struct PersistentOptions {
     Owner owner = Owner::view;
-    std::string key{}; ///< what it is known by from frame to frame; empty: its name
+    std::string key{}; ///< identifies it from frame to frame; empty: its name
 };
 
-/// What the frame before left in a persistent image or buffer.
+/// The previous frame's contents of a persistent image or buffer.
 template <class Handle>
 struct History {
-    Handle before{};    ///< none where there are no contents at all
-    bool valid = false; ///< the view's frame before wrote it, at this size, and there was no cut
+    Handle before{};    ///< empty if there are no contents at all
+    bool valid = false; ///< the view's previous frame wrote it at this size, and there was no cut
 };
 
 /// A declared persistent resource. Internal to the graph.
@@ -130,10 +130,10 @@ public:
     void bind_indices(Buf indices); ///< for shaders that pull their vertices
     void draw_indexed(std::uint32_t first_index, std::uint32_t index_count, std::uint32_t first_instance);
     void draw_indexed_indirect(Buf commands, std::uint32_t first, std::uint32_t count);
-    /// Enough groups for so many items: in several rows where one would hold too many, so that shaders number them as
-    /// shaders/lib/dispatch.glsl does.
+    /// Enough work groups for this number of items, in several rows if one row would be too long: shaders take the
+    /// index of an item from shaders/lib/dispatch.glsl.
     void dispatch(std::uint32_t items, std::uint32_t group_size);
-    /// Enough groups of 8 x 8 for the texels of a mip.
+    /// Enough work groups of 8 x 8 for the texels of a mip.
     void dispatch_over(Tex image, std::uint32_t mip = 0);
     void copy(Tex from, Buf to, std::uint32_t mip = 0); ///< all texels of a mip, rows tightly packed
     void copy(Buf from, Tex to);                        ///< the same the other way, mip 0
@@ -165,7 +165,7 @@ struct Attachment {
     vec4 clear{0};
     std::uint32_t layer = 0, mip = 0;
     std::size_t use = 0; ///< index into Pass::uses
-    Tex resolve{};       ///< of several samples: where their mean goes, if anywhere
+    Tex resolve{};       ///< of a multisampled target: the image that it is resolved into, if any
 };
 
 /// A declared pass. Built by PassBuilder.
@@ -187,7 +187,7 @@ class PassBuilder {
 public:
     PassBuilder& reads(Tex texture); ///< sampled, at the next binding of set 2; transfer: copied from
     PassBuilder& reads_layer(Tex texture, std::uint32_t layer); ///< one layer of it, bound as an image of its own
-    PassBuilder& reads_mip(Tex texture, std::uint32_t mip);     ///< one mip of it, mip 0 of what is bound
+    PassBuilder& reads_mip(Tex texture, std::uint32_t mip);     ///< one mip, bound as an image with only this mip
     /// Compute: read as a storage image, at the next storage image binding of set 2.
     PassBuilder& reads_storage(Tex texture, std::uint32_t mip = 0);
     PassBuilder& reads(Buf buffer);
@@ -197,9 +197,9 @@ public:
     PassBuilder& writes(Tex texture, Load load = Load::discard, vec4 clear = vec4(0));
     PassBuilder& writes_layer(Tex texture, std::uint32_t layer, Load load = Load::discard, vec4 clear = vec4(0));
     PassBuilder& writes_mip(Tex texture, std::uint32_t mip, Load load = Load::discard, vec4 clear = vec4(0));
-    /// The colour target declared last, of several samples, is resolved into this texture, of one sample.
+    /// Resolves the multisampled colour target declared last into this texture, which has one sample.
     PassBuilder& resolves(Tex texture);
-    /// Part of it, or what is read too: what earlier passes wrote stays. Compute and raster: the next storage image.
+    /// Writes a part, or also reads: what earlier passes wrote is kept. Compute and raster: the next storage image.
     PassBuilder& updates(Tex texture, std::uint32_t mip = 0);
     /// All of it. Compute: storage, at the next buffer binding of set 2; transfer: copied to.
     PassBuilder& writes(Buf buffer);
@@ -252,37 +252,37 @@ public:
     [[nodiscard]] Tex texture(std::string name, const TexDesc& desc);
     /// A buffer of the frame, `bytes` long, in device memory.
     [[nodiscard]] Buf buffer(std::string name, std::uint64_t bytes);
-    /// An image or buffer that lives from frame to frame, found again by its key. Other descriptions make it anew; what
-    /// holds nothing must be written before it is read. Throws std::logic_error in a graph without a runner, and where
-    /// the graph has one of that key and another description.
+    /// An image or buffer that is kept from frame to frame, identified by its key. With another description it is
+    /// created again, without contents, and must be written before it is read. Throws std::logic_error in a graph
+    /// without a runner, and if the graph already has one with the same key and another description.
     [[nodiscard]] Tex persistent(std::string name, const TexDesc& desc, const PersistentOptions& options = {});
     [[nodiscard]] Buf persistent(std::string name, std::uint64_t bytes, const PersistentOptions& options = {});
-    /// What the frame before left in a persistent resource, which then has other memory in this frame, and holds
-    /// nothing until it is written. Before its first use.
+    /// The previous frame's contents of a persistent resource. The resource itself then has other memory in this frame,
+    /// without contents until it is written. Call it before the resource's first use.
     [[nodiscard]] History<Tex> history(Tex texture);
     [[nodiscard]] History<Buf> history(Buf buffer);
-    /// Whether a persistent resource holds what some earlier frame wrote.
+    /// Whether a persistent resource has contents that some earlier frame wrote.
     [[nodiscard]] bool holds(Tex texture) const { return resources_[texture.index].holds; }
     [[nodiscard]] bool holds(Buf buffer) const { return resources_[buffer.index].holds; }
-    /// The persistent image of that key as it is, if there is one that views share and it holds something.
+    /// The persistent image with that key, if there is one that views share and it has contents.
     [[nodiscard]] std::optional<Tex> kept(const std::string& key);
-    /// An image (R32F) of one texel, filled once, which stands for the result of a technique that is off. Ask for it
-    /// before the pass that reads it is declared: the pass that fills it must come first.
+    /// An image (R32F) of one texel, filled once: the result of a technique that is off. Call it before declaring the
+    /// pass that reads it, because the pass that fills it must come first.
     [[nodiscard]] Tex constant(float value);
-    /// The same where shaders bind an array of images.
+    /// The same for shaders that bind an array of images.
     [[nodiscard]] Tex constant_array(float value);
-    /// What such an image holds everywhere; none of any other. Shaders that read at pixels must not read it, as it has
-    /// but one.
+    /// The value of such an image; nothing for any other image. It has only one texel, so shaders that read at pixel
+    /// positions must not read it.
     [[nodiscard]] std::optional<float> constant_value(Tex texture) const { return resources_[texture.index].constant; }
-    /// Says what a persistent resource will hold after the frame. Kept with the contents, if the frame comes to run;
-    /// contents that another frame writes without a note have none.
+    /// Describes the contents that a persistent resource will have after the frame. Stored with the contents if the
+    /// frame is submitted; contents written by a frame without a note have none.
     template <class T, class Handle>
     void note(Handle resource, const T& what)
     {
         static_assert(std::is_trivially_copyable_v<T>);
         write_note(resource.index, std::as_bytes(std::span(&what, 1)));
     }
-    /// The note of what it holds now (of a history: of the frame before).
+    /// The note of its present contents (for a history: of the previous frame's).
     template <class T, class Handle>
     [[nodiscard]] std::optional<T> noted(Handle resource) const
     {
@@ -311,8 +311,8 @@ public:
     [[nodiscard]] std::size_t pass_count() const { return passes_.size(); }
     [[nodiscard]] std::uint64_t bytes(Buf buffer) const { return resources_[buffer.index].bytes; }
     [[nodiscard]] std::optional<Tex> find(const std::string& name) const; ///< the image called so, if any
-    /// Images of one sample that passes declared so far can read, by name: imported ones, those that hold something
-    /// from before, and those that one of the passes writes.
+    /// Images with one sample that the passes declared so far can read, by name: imported ones, persistent ones with
+    /// contents, and those that a pass writes.
     [[nodiscard]] std::vector<std::pair<std::string, Tex>> readable_images() const;
 
 private:

@@ -1,4 +1,4 @@
-// Graph: what lives from frame to frame.
+// Graph: persistent resources, their histories and notes, and constant images.
 
 #include "renderer/graph/graph.hpp"
 #include "renderer/graph/persistents.hpp"
@@ -81,7 +81,7 @@ ResourceIndex Graph::add_history(ResourceIndex now, bool& valid)
 {
     if (!resources_[now].is_persistent() || resources_[now].is_history) {
         throw std::logic_error(
-            fmt::format("graph: \"{}\" has no history, for it is not persistent", resources_[now].name));
+            fmt::format("graph: \"{}\" has no history, because it is not persistent", resources_[now].name));
     }
     PersistentUse& use = persistents_[resources_[now].persistent];
     const Persistents::Entry* entry = store_->find(use.hash, use.key);

@@ -7,10 +7,10 @@
 namespace atrium::graph {
 namespace {
 
-/// Graphs of a view that may leave a resource undeclared before it is released.
+/// A resource is released after this number of graphs of its view that did not declare it.
 constexpr std::uint32_t kept_frames = 8;
 
-/// Every use that the format allows: later frames may use the image in other ways than the first.
+/// Every usage that the format allows: later frames may use the image in other ways than the first.
 VkImageUsageFlags usage_of(const gpu::Device& device, const TexDesc& desc)
 {
     VkFormatProperties format{};

@@ -1,6 +1,6 @@
 #pragma once
-// Images and buffers that live from frame to frame, with what is known of their contents. The Runner owns them; graphs
-// ask at declaration, and the Runner writes down what a frame did only once the frame has been submitted.
+// Images and buffers that are kept from frame to frame, and the state of their contents. The Runner owns them; graphs
+// read the state at declaration, and the Runner updates it only after the frame has been submitted.
 
 #include "renderer/graph/graph.hpp"
 
@@ -25,7 +25,7 @@ struct PersistentSlot {
 class Persistents {
 public:
     using Slot = PersistentSlot;
-    /// One declared resource: a slot, and a second one where it has a history.
+    /// One declared resource: a slot, and a second slot if it has a history.
     struct Entry {
         std::uint64_t hash = 0; ///< of `key`
         std::string key;
@@ -47,19 +47,19 @@ public:
     /// Number of the view's last frame that was submitted, from 1; 0: none was.
     [[nodiscard]] std::uint64_t last_frame(std::uint32_t view) const { return views_[view].frames; }
     [[nodiscard]] const Entry* find(std::uint64_t hash, std::string_view key) const;
-    /// Changes whenever answers given to a graph may have become wrong.
+    /// Changes whenever the state that a graph has read may be out of date.
     [[nodiscard]] std::uint64_t epoch() const { return epoch_; }
 
-    /// Memory for everything that is declared. What fits stays, contents and all.
+    /// Allocates memory for everything that is declared. Resources with the same description keep memory and contents.
     void create(const std::vector<PersistentUse>& uses);
     /// The slot behind a declared resource, after create(); `history`: the one of the frame before.
     [[nodiscard]] Slot& slot(const PersistentUse& use, bool history);
     /// A frame of `view` was submitted. `written`: by resource of the graph.
     void commit(const std::vector<PersistentUse>& uses, std::uint32_t view, const Plan& plan,
                 const std::vector<bool>& written);
-    /// Releases what no recent frame declared. The device is idle.
+    /// Releases resources that no recent frame declared. The device must be idle.
     void release_unused();
-    void forget(); ///< releases everything but what Owner::program has. The device is idle.
+    void forget(); ///< releases everything except Owner::program. The device must be idle.
 
 private:
     struct View {

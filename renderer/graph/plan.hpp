@@ -27,11 +27,11 @@ struct Scope {
     VkAccessFlags2 access = 0;
 };
 
-/// How a subresource was left by the frame before.
+/// State of a subresource after the previous frame.
 struct PartState {
     Access last = Access::none;
-    Scope wait{};         ///< what there is to wait for, beside `last`
-    bool defined = false; ///< it holds what some pass wrote
+    Scope wait{};         ///< what must be waited for in addition to `last`
+    bool defined = false; ///< it has contents that a pass wrote
 };
 
 struct ResourceDesc {
@@ -47,9 +47,9 @@ struct ResourceDesc {
     std::uint32_t memory_class = 0; ///< only resources of one class may share memory
     /// Imported, used before: what else there is to wait for, beside `initial`: the last plan's `final_waits`.
     Scope initial_wait{};
-    /// Imported: the state of each subresource (layer after layer, the mips of each together), the last plan's
-    /// `final_parts`. Takes the place of `initial` and `initial_wait`; what is not defined must be written before it is
-    /// read. Empty: all subresources are alike, and hold something.
+    /// Imported: the state of each subresource (layer after layer, the mips of each together), from the last plan's
+    /// `final_parts`. Replaces `initial` and `initial_wait`; a subresource that is not defined must be written before
+    /// it is read. Empty: all subresources have the same state and have contents.
     std::vector<PartState> initial_parts{};
 };
 
@@ -58,7 +58,7 @@ struct Use {
     Access access = Access::none;
     SubresourceRange range{}; ///< ignored for buffers
     bool discard = false;     ///< the pass overwrites the range: earlier contents do not matter
-    bool as_array = false;    ///< sampled as an array, be it of one layer; nothing to the plan
+    bool as_array = false;    ///< sampled as an array, even with one layer; not used by the plan
 };
 
 struct PassDesc {
@@ -87,7 +87,7 @@ struct Barrier {
 struct PlannedPass {
     std::uint32_t pass = 0;        ///< index into GraphDesc::passes
     std::vector<Barrier> barriers; ///< issued together, before the pass
-    /// Bit u: nobody wants what use u, an attachment, leaves behind; it need not be stored. Later uses are stored.
+    /// Bit u: no one reads the result of use u, an attachment, so it is not stored. Uses from 64 on are always stored.
     std::uint64_t unstored = 0;
 };
 

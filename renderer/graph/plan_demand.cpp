@@ -38,7 +38,7 @@ bool can_have(const ResourceDesc& resource, Access access)
     return resource.is_image ? gpu::info(access).layout != VK_IMAGE_LAYOUT_UNDEFINED : !for_images_only(access);
 }
 
-/// Images with several samples are drawn to and sampled, and nothing else.
+/// Multisampled images can only be drawn to and sampled.
 bool takes_samples(Access access)
 {
     switch (access) {

@@ -52,7 +52,7 @@ GraphDesc Runner::describe(const Graph& graph)
 
 namespace {
 
-/// What the pass is about in size and samples.
+/// A target of the pass, for its size and sample count.
 Tex any_target(const Pass& pass)
 {
     return pass.colors.empty() ? pass.depth.value().texture : pass.colors.front().texture;
@@ -155,7 +155,7 @@ void Runner::create_persistents(const Graph& graph)
     }
 }
 
-/// What the frame does is certain now.
+/// Called after submission: updates the state of persistent resources.
 void Runner::commit(const Graph& graph)
 {
     if (!graph.store_) return;
@@ -170,7 +170,7 @@ void Runner::commit(const Graph& graph)
 
 namespace {
 
-/// The graph that runs, until the end, however that comes.
+/// Sets the running graph and clears it at the end of the scope, also when an exception is thrown.
 struct Running {
     Running(const Graph*& now, const Graph& graph) : running(now) { running = &graph; }
     ~Running() { running = nullptr; }
@@ -184,7 +184,7 @@ struct Running {
 RunStats Runner::run(Graph& graph, gpu::TimerMode mode, const gpu::SubmitSync& sync)
 {
     if (!graph.persistents_.empty() && graph.epoch_ != persistents_->epoch())
-        throw std::logic_error("a graph with persistent resources runs after others that ran since it was declared");
+        throw std::logic_error("other graphs have run since this graph with persistent resources was declared");
     RunStats stats;
     const auto start = std::chrono::steady_clock::now();
     transients_->create(graph.resources_.size(), [&](ResourceIndex i) {

@@ -28,8 +28,8 @@ public:
     Runner(const gpu::Device& device, gpu::Descriptors& descriptors, gpu::Pipelines& pipelines);
     ~Runner();
 
-    /// Compiles what is missing, records, submits and waits. Whatever it throws before it submits, persistent resources
-    /// hold what they held before, save those that had to be made anew.
+    /// Compiles missing pipelines, records, submits and waits. If it throws before it submits, persistent resources
+    /// keep their contents, except those that had to be created again.
     RunStats run(Graph& graph, gpu::TimerMode mode = gpu::TimerMode::overlapped, const gpu::SubmitSync& sync = {});
 
     /// The plan of the last graph that ran, as text or Graphviz.
@@ -38,7 +38,7 @@ public:
     [[nodiscard]] const Plan& plan() const { return plan_; }
     [[nodiscard]] const GraphDesc& planned() const { return described_; } ///< what `plan()` is of
 
-    /// Releases what lives from frame to frame, save what Owner::program has: the scene is another one.
+    /// Releases persistent resources except those of Owner::program; to be called when the scene changes.
     void forget();
 
 private:

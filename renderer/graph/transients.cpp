@@ -77,7 +77,7 @@ void Runner::Transients::create(std::size_t count, const std::function<Transient
     make_all(std::move(wanted));
 }
 
-/// All or nothing: who fails half way has none the next time.
+/// If it fails half way, there are no resources left, and the next call creates all of them.
 void Runner::Transients::make_all(std::vector<TransientDesc> wanted)
 {
     release();

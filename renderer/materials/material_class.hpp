@@ -13,13 +13,13 @@ namespace atrium {
 
 /// Which sides of a class's surfaces are drawn.
 enum class Sides : std::uint8_t {
-    by_mesh, ///< the front; both where the mesh or the material is two-sided
+    by_mesh, ///< front faces; both sides if the mesh or the material is two-sided
     both,    ///< always
 };
 
 struct MaterialClassInfo {
     MaterialClass cls = MaterialClass::opaque;
-    const char* surface = "opaque";              ///< surface function of its fragments
+    const char* surface = "opaque";              ///< surface function, for fragments
     std::uint32_t vertex = shared::vertex_rigid; ///< vertex function
     Sides sides = Sides::by_mesh;
     bool has_holes = false;   ///< fragments may be discarded
@@ -27,7 +27,8 @@ struct MaterialClassInfo {
     bool deformed = false;    ///< the vertex function moves vertices: culling does not rely on the baked triangles
 };
 
-/// In drawing order: what fills most pixels first, so that depth rejects what lies behind; holes last.
+/// In drawing order: classes that cover most pixels first, so that the depth test rejects what they hide; classes with
+/// holes last.
 inline constexpr std::array<MaterialClassInfo, material_class_count> material_classes{{
     {.cls = MaterialClass::opaque, .surface = "opaque"},
     {.cls = MaterialClass::cloth, .surface = "opaque", .sides = Sides::both},
@@ -38,7 +39,7 @@ inline constexpr std::array<MaterialClassInfo, material_class_count> material_cl
 /// Position of a class in the drawing order.
 [[nodiscard]] int draw_rank(MaterialClass cls);
 
-/// The table's row of a class.
+/// The row of a class in the table.
 [[nodiscard]] const MaterialClassInfo& class_info(MaterialClass cls);
 
 /// The fragment shader of a pass for a class, e.g. ("techniques/gbuffer/gbuffer", masked).

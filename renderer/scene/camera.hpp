@@ -30,7 +30,7 @@ void check_camera(const Camera& camera, ExitCode code, std::string_view where);
 /// Clip y points up (drawn with a negative viewport height).
 [[nodiscard]] mat4 clip_from_view(float fov_degrees, float aspect, float near);
 
-/// diagonal / 20000, between 1 mm and 0.1 m; of scenes under two centimetres a twentieth of the diagonal.
+/// diagonal / 20000, between 1 mm and 0.1 m; for scenes under two centimetres diagonal / 20.
 [[nodiscard]] float default_near(const Bounds& bounds);
 
 } // namespace atrium

@@ -10,7 +10,7 @@ namespace {
 
 using glm::dvec3;
 
-/// Calls visit(p) for the points in the axes of a view, m from the world's origin.
+/// Calls visit(p) for each point, in the axes of a view with its origin at the world's origin, m.
 template <class Visit>
 void for_each_point(std::span<const PointSet> sets, const glm::dmat3& view_from_world, Visit visit)
 {
@@ -26,22 +26,22 @@ void for_each_point(std::span<const PointSet> sets, const glm::dmat3& view_from_
     }
 }
 
-/// Along one axis of the picture: what a camera must see past, and where its middle is.
+/// Limits along one axis of the picture: two planes that contain all points, framed_share of the frustum apart.
 struct Side {
-    double slope = 1;                 ///< of the frustum's planes, framed_share of the picture apart
-    double high = -1e300, low = high; ///< the farthest that points lie beyond planes through the origin
+    double slope = 1;                 ///< of the two planes
+    double high = -1e300, low = high; ///< largest distance of points beyond parallel planes through the origin
     void add(double x, double z)
     {
         high = std::max(high, x - slope * z);
         low = std::max(low, -x - slope * z);
     }
     [[nodiscard]] double middle() const { return 0.5 * (high - low); }
-    /// Farthest forward from where all lies between the planes.
+    /// The farthest position forward from which all points lie between the planes.
     [[nodiscard]] double farthest() const { return -0.5 * (high + low) / slope; }
 };
 
-/// A place across the view from which the points' projections reach as far to one side as to the other, seen from depth
-/// `eye_z`: found from the two outermost, which change as it moves.
+/// The position along one axis of the picture from which the points' projections are centred, seen from depth `eye_z`:
+/// computed from the two outermost points, and repeated because these change with the position.
 struct Centring {
     double eye = 0;
     double most = 0, least = 0; ///< projections, and the points that have them
@@ -62,7 +62,7 @@ Camera frame_points(std::span<const PointSet> sets, float fov, float aspect)
 {
     Camera camera;
     camera.fov = fov;
-    const double above = glm::radians(30.0), aside = glm::radians(30.0); // two faces of a block are seen, and its top
+    const double above = glm::radians(30.0), aside = glm::radians(30.0); // shows two sides and the top of a block
     const dvec3 forward(-std::cos(above) * std::sin(aside), -std::sin(above), -std::cos(above) * std::cos(aside));
     const dvec3 right = glm::normalize(glm::cross(forward, dvec3(0, 1, 0))), up = glm::cross(right, forward);
     const glm::dmat3 world_from_view(right, up, forward), view_from_world = glm::transpose(world_from_view);
@@ -78,7 +78,7 @@ Camera frame_points(std::span<const PointSet> sets, float fov, float aspect)
     });
     if (low.x > high.x) return camera;
 
-    // Not into the near plane; and no closer than floats tell points apart.
+    // Not closer than the near plane, and not closer than float precision allows.
     const auto size = static_cast<float>(glm::length(high - low));
     Bounds sized;
     sized.add(vec3(0));
@@ -121,7 +121,7 @@ Camera inside_bounds(const Bounds& bounds, float fov)
     camera.fov = fov;
     if (bounds.empty()) return camera;
 
-    // A third of the height shows floor and ceiling; a person's eye height where that is more and the room allows it.
+    // A third of the height shows floor and ceiling; a person's eye height if that is higher and fits into the room.
     const vec3 extent = bounds.extent();
     const float height = std::max(extent.y / 3.0f, std::min(1.7f, 0.6f * extent.y));
     camera.eye = bounds.centre();

@@ -12,11 +12,11 @@ namespace atrium {
 /// A copy of a bake, or of one of its meshes, somewhere in the world. Its index is the AOV `instance`.
 struct Instance {
     std::size_t bake = 0;
-    std::optional<std::uint32_t> mesh; ///< all when empty
+    std::optional<std::uint32_t> mesh; ///< empty: all meshes
     mat4 world_from_object{1};
 };
 
-/// Where an instance was in the frame before, for motion vectors.
+/// Where an instance was in the previous frame, for motion vectors.
 struct PreviousInstance {
     std::uint32_t instance = 0;
     mat4 world_from_object{1};

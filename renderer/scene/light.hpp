@@ -37,8 +37,8 @@ struct Light {
     float range = 0;              ///< spot, point: m; 0 = none
     float width = 1, height = 1;  ///< rect, m
     bool shadow = true;
-    /// Which light it is, for what remembers lights from frame to frame (LightSet::keys); 0: the one of its name. No
-    /// part of what it looks like: neither written to files nor compared.
+    /// Identifies the light from frame to frame (LightSet::keys); 0: its name does. It does not affect the picture:
+    /// neither written to files nor compared.
     std::uint32_t id = 0;
 
     bool operator==(const Light& other) const;

@@ -10,7 +10,7 @@
 namespace atrium {
 namespace {
 
-/// Keys of names have this bit, ids have not.
+/// Set in keys made from names, not in keys made from ids.
 constexpr LightKey named = LightKey{1} << 63;
 
 LightKey key_of(const Light& light, std::size_t index)
@@ -48,7 +48,7 @@ LightSet make_light_set(std::span<const Light> lights, std::size_t most_shadowed
     for (std::size_t i = 0; i < lights.size(); ++i) {
         LightKey key = key_of(lights[i], i);
         while (std::find(set.keys.begin(), set.keys.end(), key) != set.keys.end())
-            ++key; // lights of one name: by order
+            ++key; // lights with the same name: by order
         set.keys.push_back(key);
     }
     return set;

@@ -30,7 +30,8 @@ enum class TextureFormat : std::uint8_t {
 /// Bytes of one mip level of the given size.
 [[nodiscard]] std::uint64_t mip_bytes(TextureFormat f, std::uint32_t width, std::uint32_t height);
 
-/// A texture with its mip chain, down to 1x1 (that of a mask may end earlier), stored level after level from `offset` of the texels section.
+/// A texture with its mip chain, down to 1x1 (for masks it may end earlier), stored level after level from `offset` of
+/// the texels section.
 /// Each level starts at a multiple of texel_alignment.
 struct Texture {
     std::string file; ///< name in the source; several joined by "+" when the bake packed them together

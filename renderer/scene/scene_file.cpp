@@ -71,7 +71,7 @@ Camera read_camera(const TomlReader& in)
     return camera;
 }
 
-/// Of a picture: what was drawn is drawn again, also where a scene file's camera may not stand.
+/// The camera in a picture's metadata: accepted as it was drawn, also where a scene file's camera would be refused.
 Camera read_drawn_camera(const TomlReader& in)
 {
     constexpr Range any_fov{1.0f, 170.0f};

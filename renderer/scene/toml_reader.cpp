@@ -79,7 +79,7 @@ std::optional<double> finite_number(const toml::node& node)
     return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-/// Compared as the float that it becomes: the shortest text of the largest float is a little more than that.
+/// Compared after conversion to float, because the shortest text of the largest float is a little above its value.
 bool within(double value, Range range)
 {
     constexpr double beyond_floats = 3.4028236e38;

@@ -51,7 +51,7 @@ public:
     // Empty when the key is not there; wrong types and ranges throw.
     [[nodiscard]] std::optional<std::string> text(std::string_view key) const;
     [[nodiscard]] std::optional<float> number(std::string_view key, Range range) const;
-    [[nodiscard]] std::optional<double> real(std::string_view key) const; ///< of any size
+    [[nodiscard]] std::optional<double> real(std::string_view key) const; ///< any finite value
     [[nodiscard]] std::optional<vec3> vector(std::string_view key, Range range) const;
     [[nodiscard]] std::optional<bool> on_off(std::string_view key) const;             ///< a boolean, or its words
     [[nodiscard]] const toml::table* subtable(std::string_view key) const;            ///< null when not there

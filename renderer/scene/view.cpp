@@ -10,7 +10,7 @@ ViewMatrices matrices(const Camera& camera, float aspect, float near, const vec2
     ViewMatrices m;
     m.view_from_world = view_from_world(camera);
     m.clip_from_view = clip_from_view(camera.fov, aspect, near);
-    // w is -z: what is added to x and y in proportion to w stays the same over the picture.
+    // w is -z: an offset of x and y that is proportional to w is constant over the picture.
     m.clip_from_view[2][0] -= clip_jitter.x;
     m.clip_from_view[2][1] -= clip_jitter.y;
     m.clip_from_world = m.clip_from_view * m.view_from_world;
@@ -38,7 +38,7 @@ View make_view(const ViewDescription& description)
     v.tangents.y = half_tangent(v.camera);
     v.tangents.x = v.tangents.y * v.aspect;
     v.axes = axes_of(v.camera);
-    v.clip_jitter = vec2(2, -2) * v.jitter / size + vec2(0); // -0 to +0
+    v.clip_jitter = vec2(2, -2) * v.jitter / size + vec2(0); // turns -0 into +0
     v.now = matrices(v.camera, v.aspect, v.near, v.clip_jitter);
     v.before = matrices(v.previous_camera, v.aspect, v.near, v.clip_jitter);
     return v;

@@ -1,5 +1,5 @@
-// Depth and normals of what the camera sees: the first two images of any pass that declared them, in this order. A
-// G-buffer has them; so has a prepass of depth and normals.
+// Depth and normals of the visible surfaces: the first two images that a pass declares, in this order. They come from a
+// G-buffer or from a prepass that writes depth and normals.
 #ifndef DEPTH_NORMAL_GLSL
 #define DEPTH_NORMAL_GLSL
 #include "lib/octahedral.glsl"
@@ -10,7 +10,7 @@ layout(PASS_IMAGE(1)) uniform utexture2D normal_image; // as the G-buffer packs 
 
 float fetch_depth(ivec2 pixel) { return texelFetch(depth_image, pixel, 0).x; }
 
-/// Of the triangle, without its normal map: unit, world, towards the camera.
+/// Normal of the triangle, without normal map: unit, world, towards the camera.
 vec3 fetch_geometric_normal(ivec2 pixel) { return oct_unpack(texelFetch(normal_image, pixel, 0).y, 12u); }
 
 #endif

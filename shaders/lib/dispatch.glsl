@@ -1,6 +1,6 @@
-// Where an invocation is in a dispatch. graph::Cmd::dispatch() lays out work groups in several rows where there are more
-// than the 65,535 that every device takes along x: a shader that is dispatched by it numbers its work by these, and
-// leaves out what is beyond its count. Macros, because gl_WorkGroupSize is known only after the shader's layout.
+// The index of an invocation in a dispatch. graph::Cmd::dispatch() arranges work groups in several rows if there are more
+// than 65,535, the limit along x that every device supports. A shader takes the index of its work item from these macros
+// and returns if it is beyond the count. Macros, because gl_WorkGroupSize is known only after the shader's layout.
 #ifndef DISPATCH_GLSL
 #define DISPATCH_GLSL
 

@@ -1,4 +1,4 @@
-// Set 2: what the pass declared, counted by kind in order of declaration. Its n-th sampled image is at PASS_IMAGE(n), its
+// Set 2: what the pass declared, each kind numbered in order of declaration. Its n-th sampled image is at PASS_IMAGE(n), its
 // n-th storage buffer at PASS_BUFFER(n), its n-th storage image at PASS_STORAGE_IMAGE(n). The graph compares the
 // declarations with the shaders' bindings when a pipeline is made (renderer/graph/bindings.hpp).
 #ifndef PASS_GLSL

@@ -5,7 +5,7 @@
 
 bool is_kept(float opacity) { return opacity > interleaved_gradient_noise(floor(gl_FragCoord.xy)); }
 
-/// `bias`: so many mip levels further than a picture reads.
+/// `bias`: added to the mip level.
 bool is_hole(Material m, vec2 uv, float bias)
 {
     float opacity = m.opacity;

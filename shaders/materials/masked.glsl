@@ -1,11 +1,11 @@
 // Class "masked": holes where the opacity is below the cutoff.
 #include "materials/surface.glsl"
 
-// What the bake's coarser levels are made for. A scene file's cutoff holds at the finest level; hard masks have the same
-// area at any.
+// The cutoff for which the bake's coarser levels are made. A scene file's cutoff is used at the finest level and blended to
+// this one at the second; a mask with hard edges has the same area with either.
 const float baked_cutoff = 0.5;
 
-/// `bias`: so many mip levels further than a picture reads.
+/// `bias`: added to the mip level.
 bool is_hole(Material m, vec2 uv, float bias)
 {
     vec2 opacity_level = mask_opacity(m, uv, bias);

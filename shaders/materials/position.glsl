@@ -1,11 +1,11 @@
-// Where the scene's vertices are. Every pass that draws the scene takes positions from here: to the bit the same in all of
-// them, so that the depth that one pass wrote can be tested by another.
+// Positions of the scene's vertices, for every pass that draws the scene: they are bit for bit the same in all of them, so
+// that one pass can test against the depth that another wrote.
 #ifndef POSITION_GLSL
 #define POSITION_GLSL
 #include "lib/scene.glsl"
 #include "shared/material_class.h"
 
-// The vertex function of the material class that is drawn: column `vertex` of renderer/materials/material_class.hpp.
+// The vertex function of the drawn material class: column `vertex` of renderer/materials/material_class.hpp.
 layout(constant_id = 1) const uint vertex_function = vertex_rigid;
 
 /// A vertex in object space.

@@ -49,18 +49,18 @@ vec4 sample_base_color(Material m, vec2 uv)
     return color;
 }
 
-/// Mip level at which a mask is tested. Every level covers as large an area as the finest (the bake sees to that), so any
-/// is right on average; of an anisotropic footprint it is that of the sides' geometric mean, because the mean of several
-/// samples along it would lose what is thinner than it is long. With debug.alpha_lod0 the finest, as a ray tracer reads it.
+/// Mip level at which a mask is tested. The bake gives every level the covered area of the finest, so every level is right
+/// on average. For an anisotropic footprint it is the level of the sides' geometric mean: averaging several samples along
+/// the footprint would lose details thinner than its length. With debug.alpha_lod0 the finest level, as a ray tracer reads.
 float mask_level(vec2 texels_dx, vec2 texels_dy, float bias)
 {
     if ((frame.flags & flag_alpha_lod0) != 0u) return 0.0;
     float longest = max(dot(texels_dx, texels_dx), dot(texels_dy, texels_dy));
     float area = abs(texels_dx.x * texels_dy.y - texels_dx.y * texels_dy.x);
-    return max(0.0, bias + 0.5 * max(log2(area), log2(longest) - 6.0)); // area and square of the longer side: half the log
+    return max(0.0, bias + 0.5 * max(log2(area), log2(longest) - 6.0)); // log of squared lengths: half of it is the level
 }
 
-/// Opacity for the mask's test, and the level it was read at.
+/// Opacity for the mask test, and the mip level at which it was read.
 vec2 mask_opacity(Material m, vec2 uv, float bias)
 {
     if (m.base_color_slot == no_texture_slot) return vec2(m.opacity, 0.0);

@@ -27,8 +27,8 @@ struct FrameConstants {
     vec3 sky_zenith;           // radiance x exposure
     vec3 sky_horizon;
     vec3 sky_ground;
-    vec2 jitter;               // is in both matrices: added to every position, in normalised device coordinates
-    vec2 corner;               // the picture's upper left in those that the camera has without it
+    vec2 jitter;               // contained in both matrices; normalised device coordinates
+    vec2 corner;               // upper left of the picture in normalised device coordinates without jitter
     GpuLight lights[light_capacity];
 };
 

@@ -20,7 +20,7 @@ struct GpuMaterial {
 const uint record_moves = 1; // prev_from_object differs from world_from_object
 const uint record_two_sided = 2;
 const uint record_has_holes = 4; // fragments may be discarded
-const uint record_deformed = 8;  // vertices are not where the bake has them, in each frame elsewhere
+const uint record_deformed = 8;  // the vertex function moves its vertices, in each frame differently
 
 /// One mesh of one instance: what a draw's first instance index points to.
 struct GpuRecord {

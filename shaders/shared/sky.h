@@ -6,7 +6,7 @@ SHARED_BEGIN
 
 struct FloorPush {
     vec3 middle;  // of the scene, on the floor, m, world
-    float radius; // m around it that the scene takes up
+    float radius; // of the scene, m
 };
 
 SHARED_END

@@ -1,4 +1,4 @@
-// Masks cover as much in every mip, as a sampler reads it: between texels and between levels.
+// Masks cover the same area in every mip, as a sampler filters it: between texels and between levels.
 
 #include "assetconv/mips.hpp"
 

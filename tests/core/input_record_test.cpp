@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 using test::expect_error;
 using test::TempFolder;
 
-/// As it comes back from its file.
+/// The record after a round trip through its file.
 InputRecord stored(const InputRecord& record)
 {
     return InputRecord::from_json(record.to_json(), "record.json");
@@ -57,7 +57,7 @@ TEST(input_record, a_name_that_was_missing_is_a_change_when_it_comes_and_others_
     InputRecord record;
     record.add_search(folder.path(), "Wall.png", entries_like(folder.path(), "Wall.png"));
     EXPECT_EQ(stored(record).change(), "");
-    write_text_file(folder / "scene.atrium", "an output beside");
+    write_text_file(folder / "scene.atrium", "an output next to it");
     EXPECT_EQ(stored(record).change(), "");
     write_text_file(folder / "WALL.PNG", "x");
     EXPECT_NE(stored(record).change().find("Wall.png"), std::string::npos);

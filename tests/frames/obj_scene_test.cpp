@@ -1,4 +1,4 @@
-// OBJ files given to `atrium`: the cache of their bakes, their warnings, and outputs that would replace them.
+// OBJ files given to `atrium`: the cache of bakes, warnings, and outputs that would replace an input.
 
 #include "program_rig.hpp"
 
@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 using test::Outcome;
 using test::text_of;
 
-/// A small scene whose MTL and texture lie in other folders, and a cache of its own.
+/// A small scene with its MTL and texture in other folders, and its own cache.
 struct ObjScene : ::testing::Test {
     ObjScene()
     {
@@ -40,7 +40,7 @@ struct ObjScene : ::testing::Test {
     {
         return test::atrium(arguments, environment + " XDG_CACHE_HOME=" + test::quoted((folder / "cache").string()));
     }
-    /// Has the scene baked or found in the cache, and ends before a device is touched.
+    /// Bakes the scene or finds it in the cache, and stops before a device is created.
     [[nodiscard]] Outcome open(const std::string& obj = "model/a.obj", const std::string& environment = "") const
     {
         const Outcome outcome = run({"render", (folder / obj).string(), "-o", (folder / "out.png").string(), "--camera",
@@ -70,7 +70,7 @@ TEST_F(obj_scene, is_baked_again_when_a_file_that_was_read_changes_and_only_then
 {
     EXPECT_TRUE(baked(open()));
     EXPECT_FALSE(baked(open()));
-    write("model/out.png", "an output beside the OBJ");
+    write("model/out.png", "an output next to the OBJ");
     write("library/unused.mtl", "newmtl n\n");
     fs::last_write_time(folder / "model/a.obj", fs::file_time_type::clock::now());
     EXPECT_FALSE(baked(open()));
@@ -105,7 +105,7 @@ TEST_F(obj_scene, warnings_are_repeated_from_the_cache_and_not_silenced)
     for (int i = 0; i < 2; ++i) { // of another scale: baked, then found
         const Outcome quiet = run({"render", (folder / "model/a.obj").string(), "-o", (folder / "out.png").string(),
                                    "--camera", "none", "--bake-scale", "3", "--quiet"});
-        EXPECT_EQ(quiet.output.find(warning), 0u) << "nothing stands before it\n" << quiet.output;
+        EXPECT_EQ(quiet.output.find(warning), 0u) << "nothing is printed before it\n" << quiet.output;
         EXPECT_EQ(quiet.output.find("baking"), std::string::npos) << quiet.output;
         EXPECT_EQ(quiet.output.find("triangles"), std::string::npos) << quiet.output;
     }

@@ -1,5 +1,5 @@
 #pragma once
-// What each setting changes, and thereby what it must leave alone: one table, in which a new setting needs a row.
+// Which outputs each setting changes; all others must stay the same. A new setting needs a row in the table.
 
 #include <span>
 #include <string>
@@ -14,13 +14,13 @@ enum class Place {
     masked, ///< a square of many small holes in front of a wall
 };
 
-/// A change of one setting, from what `base` and the defaults say to `value`.
+/// A change of one setting to `value`, starting from the defaults and `base`.
 struct Effect {
     const char* key;
     const char* value;
     std::vector<std::pair<const char*, const char*>> base; ///< set before
-    std::vector<const char*> changes;                      ///< outputs of which each must change
-    std::vector<const char*> may_change;                   ///< others that it may change; all the rest must not
+    std::vector<const char*> changes;                      ///< outputs that must all change
+    std::vector<const char*> may_change;                   ///< outputs that may change; all others must not
     Place place = Place::court;
 };
 
@@ -28,7 +28,7 @@ struct Effect {
 /// Names are patterns with * and ?. A setting may have several rows.
 [[nodiscard]] std::span<const Effect> table();
 
-/// Before every row's own base: what takes part is on, and small.
+/// Set before every row's base: techniques on, sizes small.
 [[nodiscard]] std::span<const std::pair<const char*, const char*>> common_base();
 
 } // namespace atrium::effects

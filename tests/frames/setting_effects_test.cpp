@@ -1,4 +1,4 @@
-// A setting changes what it is there for, and nothing else.
+// A setting changes the outputs that it should change, and no others.
 
 #include "tests/frames/setting_effects.hpp"
 
@@ -31,7 +31,7 @@ BakeData open_scene()
     return builder.finish();
 }
 
-/// Sixteen texels of mask, over and over: at this size a pixel is wider than the mask.
+/// A mask of sixteen texels, repeated: at this size a pixel is wider than the mask.
 BakeData masked_scene()
 {
     const std::vector<std::uint8_t> alpha{255, 0, 255, 255, 0, 255, 0, 255, 255, 255, 0, 0, 0, 255, 255, 255};
@@ -88,7 +88,7 @@ std::set<std::string> changed(const Outputs& before, const Outputs& after)
     return out;
 }
 
-/// What an effect changes of the rig's frame, whose settings are as before then. `last`: set after the base.
+/// The outputs that an effect changes; the rig's settings are restored. `last`: set after the base.
 std::set<std::string> changes_of(rig::FrameRig& rig, const Effect& effect,
                                  std::pair<const char*, const char*> last = {nullptr, nullptr})
 {

@@ -1,4 +1,4 @@
-// Images that stand for techniques that are off.
+// Constant images, the results of techniques that are off.
 
 #include "tests/gpu/graph_rig.hpp"
 

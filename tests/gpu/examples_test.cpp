@@ -1,4 +1,4 @@
-// ARCHITECTURE.md's worked examples of history, storage images and mips, compiled and run as they stand there.
+// ARCHITECTURE.md's worked examples of history, storage images and mips, compiled and run with the same text.
 
 #include "tests/examples/average.hpp"
 #include "tests/examples/mip_chain.hpp"

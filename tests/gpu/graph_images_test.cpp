@@ -1,4 +1,4 @@
-// What the graph does with parts of images, several samples, and what lives from frame to frame, on the device.
+// Mips and layers, multisampling and persistent resources of the graph, on the device.
 
 #include "tests/gpu/graph_rig.hpp"
 
@@ -67,7 +67,7 @@ TEST(graph_images, samples_are_resolved_to_their_mean)
         << rig.runner.plan_text();
 }
 
-/// One frame that writes `value` into what is persistent, or only reads it; what it holds then.
+/// One frame that writes `value` to the persistent image, or only reads it; returns its contents.
 float persist(GraphRig& rig, std::optional<float> value, const std::string& view = "main")
 {
     Graph g = rig.begin({.view = view});
@@ -81,7 +81,7 @@ float persist(GraphRig& rig, std::optional<float> value, const std::string& view
     return first(rig.run(g, kept));
 }
 
-/// Frames of a view that declare nothing.
+/// Runs frames of a view that declare nothing.
 void idle(GraphRig& rig, int frames, const std::string& view = "main")
 {
     for (int i = 0; i < frames; ++i) {

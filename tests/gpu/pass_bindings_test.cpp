@@ -1,4 +1,4 @@
-// Set 2: what a pass declares must be what its shaders bind; each way of being wrong is refused with both names.
+// Set 2: a pass must declare what its shaders bind; each kind of mismatch is an error with both names.
 
 #include "renderer/gpu/shader_interface.hpp"
 #include "renderer/graph/bindings.hpp"
@@ -31,7 +31,7 @@ struct Planted {
         const Tex picture = g.texture("picture", {gpu::Format::rgba8_srgb, 8, 8});
         return g.raster("planted").always().writes(picture);
     }
-    /// What running it says; empty: it ran.
+    /// The error message of running it; empty if it ran.
     std::string refusal()
     {
         try {

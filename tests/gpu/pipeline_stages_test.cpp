@@ -1,4 +1,4 @@
-// Pipelines with each kind of stage, topology and blending, drawn and held against known answers.
+// Pipelines with each kind of stage, topology and blending, drawn and compared with known answers.
 
 #include "renderer/core/error.hpp"
 #include "renderer/core/math.hpp"
@@ -25,7 +25,7 @@ struct Target {
     std::uint32_t samples = 1; ///< of several, their mean is read
 };
 
-/// What is in the targets after three vertices were drawn `times` times, rows from the top.
+/// The contents of the targets after drawing three vertices `times` times, rows from the top.
 std::vector<std::vector<std::byte>> draw(const GraphicsPipelineDesc& desc, const std::vector<Target>& targets,
                                          graph::CullMode cull = graph::CullMode::none, int times = 1)
 {

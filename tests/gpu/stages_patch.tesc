@@ -1,5 +1,5 @@
 #version 460
-// Splits each edge into as many as the constant says.
+// Splits each edge into a constant number of segments.
 layout(constant_id = 0) const uint factor = 1u;
 layout(vertices = 3) out;
 

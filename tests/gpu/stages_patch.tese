@@ -1,5 +1,5 @@
 #version 460
-// Moves what lies on an edge of the patch out to the unit circle.
+// Moves points on an edge of the patch to the unit circle.
 layout(triangles, equal_spacing, ccw) in;
 
 void main()

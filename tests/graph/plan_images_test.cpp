@@ -1,4 +1,4 @@
-// Storage images, mips, samples, attachments that need no storing, and what one frame hands to the next.
+// Storage images, mips, samples, attachments that are not stored, and state passed from frame to frame.
 
 #include "tests/graph/small_graph.hpp"
 

@@ -25,7 +25,8 @@ struct Frame {
     GraphDesc graph;
     std::vector<FinalUse> finals;
     Plan plan;
-    /// Of the first frame's resources, whose memory each has; empty: its own. Pairs of a history swap.
+    /// For each resource of this frame, the resource of the first frame that has its memory; empty: the same one. Pairs
+    /// of a history swap.
     std::vector<ResourceIndex> memory_of{};
     /// Images of this frame, and what the one before left in their place.
     std::vector<std::pair<ResourceIndex, ResourceIndex>> histories{};
@@ -86,7 +87,7 @@ private:
 /// What is wrong with the choice of passes, or with the placing of transients; empty when nothing is.
 [[nodiscard]] std::string passes_problem(const Frame& frame);
 [[nodiscard]] std::string placement_problem(const Frame& frame);
-/// What is wrong with the attachments that are not stored, and with what the next frame learns of contents.
+/// Errors in the choice of attachments that are not stored, and in the state of contents passed to the next frame.
 [[nodiscard]] std::string contents_problem(const Frame& frame);
 
 } // namespace atrium::graph::oracle

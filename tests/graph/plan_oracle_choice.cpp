@@ -101,7 +101,7 @@ std::string passes_problem(const Frame& frame)
 
 namespace {
 
-/// Of one planned pass: the uses that leave behind what nobody wants.
+/// The uses of one planned pass with a result that is not needed afterwards.
 std::uint64_t idle_attachments(const Frame& frame, const std::vector<bool>& runs, std::size_t pass)
 {
     std::uint64_t out = 0;

@@ -92,7 +92,7 @@ private:
         frame_.graph.resources.push_back(r);
     }
 
-    /// One whose state the frames hand on, alone or as a pair with what the frame before left.
+    /// A persistent resource, alone or as a pair with its history.
     void add_persistent(ResourceDesc r)
     {
         r.transient = false;

@@ -75,7 +75,7 @@ TEST(layers, includes_point_downwards)
 
 TEST(layers, no_technique_includes_another_technique_s_sources_but_the_shared_ones)
 {
-    // Techniques hand images to each other in frame.cpp; what several build on is the draw list and the G-buffer.
+    // Techniques pass images to each other in frame.cpp. Several of them may use common, culling and the G-buffer.
     const std::set<std::string> shared{"common", "culling", "gbuffer", "lighting"};
     const fs::path root = fs::path(ATRIUM_SOURCE) / "renderer" / "techniques";
     const std::regex include("#include \"renderer/techniques/([a-z_]+)/");

@@ -137,7 +137,7 @@ void FrameRig::begin()
     describe(list, request.settings);
     if (engine().device().report().is_cpu) list.apply_cpu_defaults();
     request.settings.texture.anisotropy = 1;
-    request.settings.ao.method = AoMethod::off; // for tests of it to turn on
+    request.settings.ao.method = AoMethod::off; // tests of ambient occlusion turn it on
     request.settings.ao.half_resolution = false;
     request.settings.tonemap.tone_operator = ToneOperator::linear;
     request.want_picture = false;

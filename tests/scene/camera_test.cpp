@@ -90,7 +90,7 @@ Bounds box(const vec3& min, const vec3& max)
     return b;
 }
 
-/// What points take up of the picture, each side from -1 to 1.
+/// The area of the picture that points cover, each axis from -1 to 1.
 struct Frame {
     vec2 low{1e9f}, high{-1e9f};
     float nearest = 1e9f; ///< m along the view axis

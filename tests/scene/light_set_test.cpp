@@ -1,4 +1,4 @@
-// A frame's lights: their order on the device, which cast shadows, and what tells them apart from frame to frame.
+// A frame's lights: their order on the device, which cast shadows, and their keys from frame to frame.
 
 #include "renderer/scene/light_set.hpp"
 

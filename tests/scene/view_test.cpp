@@ -1,4 +1,4 @@
-// A frame's view: its matrices against points whose pixels are known, its jitter, what it says of the frame before.
+// A frame's view: its matrices against points with known pixels, its jitter, its matrices of the previous frame.
 
 #include "renderer/scene/view.hpp"
 

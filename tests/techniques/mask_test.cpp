@@ -1,4 +1,4 @@
-// A masked fence is as solid at a distance as its finest mip says.
+// A masked fence has the same solid area at a distance as in its finest mip.
 
 #include "tests/rig/frame_rig.hpp"
 

@@ -1,4 +1,4 @@
-// Motion of every pixel against the closed form: where its point of the surface is, and where that point was.
+// Motion of every pixel against the closed form: its surface point's position now and in the previous frame.
 
 #include "tests/rig/frame_rig.hpp"
 #include "tests/truth/scene_builder.hpp"
@@ -14,7 +14,7 @@
 namespace atrium {
 namespace {
 
-/// A box without a floor: instances of it are told apart by the AOV `instance`.
+/// A box without a floor; the AOV `instance` identifies its instances.
 BakeData lone_box()
 {
     truth::SceneBuilder builder;
@@ -121,11 +121,11 @@ TEST(motion, of_a_yawing_camera_is_the_tangent)
     const float f = 1 / std::tan(glm::radians(30.0f)), aspect = 320.0f / 180.0f,
                 moved = std::tan(delta) * f / (2 * aspect);
     const ImageF motion = rig.aov("motion");
-    // The point that was central now stands `moved` to the right of the middle.
+    // The point that was central is now `moved` to the right of the middle.
     EXPECT_NEAR(*motion.at(160 + static_cast<int>(moved * 320), 90), moved, 3e-4f); // half floats
 }
 
-/// Three boxes: one that stands, one that is moved, and one between them and the camera.
+/// Three boxes: one at rest, one that is moved, and one between them and the camera.
 struct Boxes : ::testing::Test {
     Boxes() : rig(lone_box())
     {
@@ -163,9 +163,9 @@ TEST_F(motion_of_boxes, that_move_turn_and_grow_has_the_closed_form)
             ASSERT_EQ(errors.size(), 2u) << what;
             expect_motion(errors[1], 0.002, what);
             if (camera_moves) {
-                expect_motion(errors[0], 0.002, what + ": what stands");
+                expect_motion(errors[0], 0.002, what + ": the box at rest");
             } else {
-                EXPECT_LE(errors[0].worst, 1e-6) << what; // what stands has none
+                EXPECT_LE(errors[0].worst, 1e-6) << what; // the box at rest has none
                 EXPECT_GT(errors[0].pixels, 500) << what;
             }
         }
@@ -175,7 +175,7 @@ TEST_F(motion_of_boxes, that_move_turn_and_grow_has_the_closed_form)
 TEST_F(motion_of_boxes, ends_with_the_frame_in_which_they_moved)
 {
     rig.request.previous_instances = {{1, glm::translate(mat4(1), vec3(1, 0, 0))}};
-    EXPECT_GT(motion_errors(rig, {})[1].worst, 0.01); // against boxes that stand
+    EXPECT_GT(motion_errors(rig, {})[1].worst, 0.01); // against boxes at rest
     rig.request.previous_instances.clear();
     std::map<int, MotionError> errors = motion_errors(rig, {});
     for (const int instance : {0, 1}) {

@@ -1,4 +1,4 @@
-// ARCHITECTURE.md's worked examples of passes, compiled and drawn as they stand there.
+// ARCHITECTURE.md's worked examples of passes, compiled and drawn with the same text.
 
 #include "tests/examples/outline.hpp"
 #include "tests/examples/surface_count.hpp"
@@ -20,7 +20,7 @@
 namespace atrium {
 namespace {
 
-/// What a pass makes of a frame: an image of 4 bytes a texel, read back.
+/// The result of a pass on a frame, read back: an image of 4 bytes per texel.
 template <class Add>
 std::vector<std::byte> draw_with(rig::FrameRig& rig, const Add& add)
 {

@@ -58,7 +58,7 @@ TEST(sky, shows_the_disc_of_a_sun_with_its_radiance)
     EXPECT_EQ(hdr.at(160, 90 - rim - 3)[0], 0);
 }
 
-/// A block of 1 m that stands on nothing, seen from the side from which the sun's shadow comes.
+/// A block of 1 m without a floor of its own, seen from the side to which the sun's shadow falls.
 struct Block : rig::FrameRig {
     Block() : rig::FrameRig(scene())
     {
@@ -85,7 +85,7 @@ constexpr float floor_albedo = 0.22f;
 
 TEST(sky, the_floor_takes_the_shadow_of_what_stands_on_it)
 {
-    // A sun half as high as it shines far: the block's shadow reaches 2 m beyond it, far behind all that casts any.
+    // A sun with slope 1/2: the block's shadow reaches 2 m beyond it, farther from the sun than all casters.
     const float lit = floor_albedo / pi * 10 / std::sqrt(5.0f);
     for (const char* filter : {"hard", "pcf", "pcss", "reference"}) {
         Block block;

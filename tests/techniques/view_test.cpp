@@ -1,7 +1,7 @@
 // A frame's view and its lights as pictures show them: jitter, and lights that come and go.
 
-#include "renderer/scene/view.hpp"
 #include "renderer/graph/runner.hpp"
+#include "renderer/scene/view.hpp"
 #include "tests/rig/frame_rig.hpp"
 #include "tests/truth/shapes.hpp"
 
@@ -100,7 +100,7 @@ TEST(frame_view, a_light_removed_in_the_middle_leaves_the_maps_of_the_others)
     EXPECT_EQ(drawn_maps(rig), std::set<std::string>{}) << "none of them has changed";
     const ImageF kept = rig.aov("hdr");
     rig.set("shadow.cache", "off");
-    EXPECT_EQ(rig.aov("hdr").values, kept.values) << "as maps drawn anew";
+    EXPECT_EQ(rig.aov("hdr").values, kept.values) << "as with maps drawn again";
     rig.set("shadow.cache", "on");
     rig.light("spot,position=-2:3:1,direction=2:-3:-1,name=e");
     static_cast<void>(rig.render());

@@ -1,4 +1,4 @@
-// What is wound against its normals is lit as they say.
+// Triangles wound against their normals are lit on the side of the normals.
 
 #include "tests/rig/frame_rig.hpp"
 

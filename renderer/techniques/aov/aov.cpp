@@ -49,7 +49,7 @@ graph::Tex add_fragment_count(graph::Graph& g, const AovInputs& in, const std::s
     return count;
 }
 
-/// What the shader makes of the G-buffer, and of `image` where the kind is one that looks at it.
+/// An AOV computed by aov.frag from the G-buffer, and from `image` for the kinds that read it.
 graph::Tex add_unpacked(graph::Graph& g, const Aov& aov, const AovInputs& in, graph::Tex image, std::uint32_t kind)
 {
     graph::TexDesc desc = g.desc(in.gbuffer.depth);

@@ -83,8 +83,8 @@ struct PictureArea {
 [[nodiscard]] graph::Buf add_buffer_statistics(graph::Graph& g, graph::Tex buffer, const BufferLook& look,
                                                const BufferViewSettings& s, const std::string& name);
 
-/// Reads  a buffer, its statistics.  Returns  the picture (RGBA8 sRGB) with the buffer in an area of it, the nearest
-/// texel to each pixel.
+/// Reads  a buffer, its statistics.  Returns  the picture (RGBA8 sRGB) with the buffer in an area of it, sampled at the
+/// nearest texel.
 /// @param load  what becomes of the rest of the picture
 [[nodiscard]] graph::Tex add_buffer_view(graph::Graph& g, graph::Tex buffer, graph::Buf statistics,
                                          const BufferLook& look, const BufferViewSettings& s, graph::Tex picture,

@@ -1,5 +1,5 @@
 #pragma once
-// What is drawn of a scene: its geometry, and lists of draw commands sorted by material class.
+// The scene's geometry, and lists of draw commands sorted by material class.
 
 #include "renderer/graph/graph.hpp"
 #include "renderer/scene/scene.hpp"
@@ -21,7 +21,7 @@ struct DrawList {
     graph::Buf commands;
     std::span<const DrawRange> ranges;
     std::uint32_t count = 0;
-    graph::Buf indices; ///< instead of the scene's own, where triangles were culled
+    graph::Buf indices; ///< used instead of the scene's index buffer if single triangles were culled
 };
 
 /// The scene's vertex and index buffers.

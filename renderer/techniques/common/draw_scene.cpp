@@ -32,7 +32,7 @@ std::vector<RangeDraw> declare_pipelines(graph::PassBuilder& pass, const SceneDr
     std::vector<gpu::GraphicsPipelineDesc> pipelines;
     std::vector<RangeDraw> out;
     for (const DrawRange& range : draws.list.ranges) {
-        if (!out.empty() && out.back().range.cls == range.cls) { // the other sidedness of the same class
+        if (!out.empty() && out.back().range.cls == range.cls) { // same class, other sidedness
             out.push_back({range, out.back().pipeline});
             continue;
         }

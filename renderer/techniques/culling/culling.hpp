@@ -37,7 +37,7 @@ struct DrawTasks {
     std::uint32_t subpixel_bits = 4; ///< of the device's rasterisation
 };
 
-/// The triangles that a frame sees, and those that the one before saw: declare_seen().
+/// Visible triangles of this and the previous frame, from declare_seen().
 struct SeenInFrame {
     DrawList before, occluders;                      ///< what the frame before saw, and what of it hides much
     graph::Buf commands, occluder_commands, indices; ///< of what this one sees, to be filled

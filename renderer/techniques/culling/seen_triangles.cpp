@@ -18,7 +18,7 @@ graph::Buf add_zeros(graph::Graph& g, const std::string& name, graph::Buf buffer
     return buffer;
 }
 
-/// What the last frame wrote, of whatever age; where there is none, zeros: nothing was seen.
+/// The buffer that the last frame wrote, also if that was long ago; zeros (nothing visible) if there is none.
 Pair declare_pair(graph::Graph& g, const std::string& name, std::uint64_t bytes)
 {
     const graph::Buf now = g.persistent(name, bytes);

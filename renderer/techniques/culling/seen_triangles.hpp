@@ -5,9 +5,9 @@
 
 namespace atrium {
 
-/// Declares the triangles that this frame of the view sees, and brings what its last one saw. They belong to one scene:
-/// graph::Runner::forget() when it changes. Source: Haar & Aaltonen 2015, "GPU-Driven Rendering Pipelines", who
-/// remember clusters.
+/// Declares the buffers of visible triangles: those of this frame, to be written, and those of the view's last frame.
+/// They belong to one scene: call graph::Runner::forget() when the scene changes. Source: Haar & Aaltonen 2015,
+/// "GPU-Driven Rendering Pipelines", there with clusters.
 [[nodiscard]] SeenInFrame declare_seen(graph::Graph& g, const DrawTasks& tasks);
 
 } // namespace atrium

@@ -30,7 +30,7 @@ graph::PassBuilder& reads(graph::PassBuilder& pass, const GBuffer& gb)
 
 namespace {
 
-/// What the depth prepass and the pass itself have in common.
+/// State shared by the depth prepass and the G-buffer pass.
 gpu::GraphicsPipelineDesc depth_pipeline(const char* vertex)
 {
     gpu::GraphicsPipelineDesc desc;

@@ -29,8 +29,8 @@ struct GBuffer {
     graph::Tex albedo, normal, id, emission, motion, depth;
 };
 
-/// Declares that a pass samples surfaces: all of the G-buffer but the motion, the pass's first five images, as
-/// shaders/lib/gbuffer.glsl has them. A pass that wants depth and normals alone reads those two
+/// Declares that a pass samples surfaces: all of the G-buffer but motion, as the pass's first five images, in the order
+/// of shaders/lib/gbuffer.glsl. A pass that needs only depth and normals reads those two
 /// (shaders/lib/depth_normal.glsl).
 graph::PassBuilder& reads(graph::PassBuilder& pass, const GBuffer& gb);
 
@@ -51,9 +51,9 @@ struct CulledGBuffer {
 };
 
 /// Culls and draws: passes `cull` and `gbuffer`; with occlusion culling before them `cull.occluders`, `depth_prepass`
-/// and `depth_pyramid.N`; with single triangles `cull.triangles`. With `remember`, where occlusion and single triangles
-/// are culled: `gbuffer` draws what the frame before saw, then it is culled as above, and `gbuffer.late` draws the
-/// rest.
+/// and `depth_pyramid.N`; with single triangles `cull.triangles`. With `remember`, if occlusion and single triangles
+/// are culled: `gbuffer` draws the previous frame's visible triangles, then the passes above cull, and `gbuffer.late`
+/// draws the rest.
 [[nodiscard]] CulledGBuffer add_culled_gbuffer(graph::Graph& g, const DrawTasks& tasks, const Geometry& geometry,
                                                uvec2 size, const CullingSettings& s, bool remember = false);
 

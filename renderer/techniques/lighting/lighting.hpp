@@ -33,14 +33,14 @@ void describe(V& v, AmbientSettings& s)
 struct LightingTerms {
     std::uint32_t first_light = 0, end_delta = 0, end_light = 0; ///< places: [first, end_delta), [end_delta, end_light)
     bool ambient = true, emission = true;
-    bool multi_bounce = false; ///< where ambient light reaches little, bright surfaces hand it on
+    bool multi_bounce = false; ///< ambient light reflected between nearby bright surfaces
     float scale = 1;
     gpu::Format format = gpu::Format::rgba16_float;
     std::string pass = "lighting", target = "hdr";
 };
 
-/// Reads  surfaces; `ao`, what of the ambient light reaches a pixel; `visibility`, a layer for each light with a
-/// shadow_layer. Either may be a constant 1 (Graph::constant, constant_array): then it is not looked at.  Writes  radiance x exposure (RGBA16F by
+/// Reads  surfaces; `ao`, ambient visibility; `visibility`, a layer for each light with a shadow_layer. Either may be a
+/// constant 1 (Graph::constant, constant_array), which is not sampled.  Writes  radiance x exposure (RGBA16F by
 /// default, 0 where there is no geometry). Source: the field's standard split; BRDF and falloff: shaders/lib/brdf.glsl,
 /// lights.glsl.
 [[nodiscard]] graph::Tex add_lighting(graph::Graph& g, const GBuffer& gb, graph::Tex ao, graph::Tex visibility,

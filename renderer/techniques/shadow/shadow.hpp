@@ -106,17 +106,17 @@ struct VisibilityTarget {
     bool beyond_scene = false;  ///< ShadowReceivers
 };
 
-/// Which surfaces visibility is that of.
+/// The surfaces for which visibility is computed.
 struct ShadowReceivers {
-    std::string prefix;        ///< of the names of passes and images
-    bool beyond_scene = false; ///< they may lie farther from a sun than all that casts shadows
+    std::string prefix;        ///< put before the names of passes and images
+    bool beyond_scene = false; ///< they may be farther from a sun than all shadow casters
 };
 
 /// Reads  depth and geometric normals (lib/depth_normal.glsl), one map.  Writes  a layer of the target.
 void add_visibility(graph::Graph& g, graph::Tex depth, graph::Tex normal, const ShadowMapSet& set, const ShadowMap& map,
                     const Light& light, const ShadowSettings& s, ShadowShown shown, const VisibilityTarget& target);
 
-/// An image (R32F) as large as the depth, with a layer for each of so many lights.
+/// An image (R32F) of the depth's size, with one layer per light.
 [[nodiscard]] graph::Tex create_visibility(graph::Graph& g, graph::Tex depth, std::size_t lights,
                                            const std::string& name = "visibility");
 

@@ -80,7 +80,7 @@ std::string smaller_or_fewer(std::span<const Light> lights, const ShadowSettings
     return text;
 }
 
-/// What a map is drawn from. Where it differs from what the map was drawn from last, it is drawn again.
+/// Everything a map depends on. A map is drawn again if this differs from what it was last drawn with.
 struct DrawnMap {
     std::array<shared::ShadowFace, shared::shadow_max_faces> faces{};
     std::uint32_t face_count = 0, perspective = 0;

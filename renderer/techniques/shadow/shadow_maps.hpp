@@ -17,7 +17,7 @@ struct ShadowCasters {
     vec2 texture_state{0}; ///< changes when textures are read differently, and so the holes of masks
 };
 
-/// The shadow maps of a scene's lights. The graph keeps them from frame to frame: graph::Runner::forget() when the
+/// The shadow maps of a scene's lights. The graph keeps them from frame to frame: call graph::Runner::forget() when the
 /// scene changes.
 class ShadowMaps {
 public:

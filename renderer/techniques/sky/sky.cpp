@@ -46,7 +46,7 @@ FloorSurface add_floor(graph::Graph& g, graph::Tex depth, const FloorPlace& plac
 
 namespace {
 
-/// Draws where nothing was drawn.
+/// A full-screen pipeline that draws only pixels without geometry.
 gpu::GraphicsPipelineDesc behind_everything(const char* fragment)
 {
     gpu::GraphicsPipelineDesc desc;

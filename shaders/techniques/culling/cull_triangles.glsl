@@ -37,7 +37,7 @@ struct ScreenTriangle {
     float nearest;  // depth of its nearest corner, reversed
 };
 
-/// Of the dispatch, which may have more groups.
+/// Number of tasks, one work group each; the dispatch may have more groups.
 uint task_count();
 
 /// Whether the triangle is drawn. `instances`: of its cluster's command, as the pass before wrote it.

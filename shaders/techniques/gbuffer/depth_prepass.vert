@@ -1,5 +1,5 @@
 #version 460
-// Depth alone.
+// Position only, for passes that write depth.
 #extension GL_GOOGLE_include_directive : require
 #include "materials/vertex.glsl"
 

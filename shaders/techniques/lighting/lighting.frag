@@ -6,12 +6,12 @@
 #include "lib/lights.glsl"
 #include "shared/lighting.h"
 
-// Lights without area that are known beforehand, from the first on: the compiler unrolls their loop, and their constants
-// have fixed places (a CPU device reads those eight times faster). 0: the numbers in the push constants.
+// Number of lights without area, as a constant: the compiler unrolls their loop and reads them from fixed offsets (eight
+// times faster on a CPU device). 0: the range in the push constants is used.
 layout(constant_id = 0) const uint unrolled_lights = 0;
-// Whether there are rectangles: their code is long, and frames without them need not carry it.
+// Whether there are rectangle lights: frames without them leave out their long code.
 layout(constant_id = 1) const bool rects = true;
-// Whether the images of ambient occlusion and visibility are worth reading. Without: 1 everywhere, which they then hold.
+// Whether to read ambient occlusion and visibility. If not, both are 1 everywhere.
 layout(constant_id = 2) const bool occluded = true;
 layout(constant_id = 3) const bool shadowed = true;
 layout(push_constant, scalar) uniform Push { LightingPush push; };
@@ -19,8 +19,8 @@ layout(PASS_IMAGE(5)) uniform texture2D ao_image;
 layout(PASS_IMAGE(6)) uniform texture2DArray visibility_images; // a layer for each light that casts shadows
 layout(location = 0) out vec4 out_radiance;
 
-/// What of the light from all around reaches a surface. Light that bright surfaces hand on to each other brings colour
-/// back. Source: Jimenez et al. 2016, "Practical Real-Time Strategies for Accurate Indirect Occlusion".
+/// Share of the ambient light that reaches a surface, by colour with multi-bounce: bright surfaces reflect light to each
+/// other. Source: Jimenez et al. 2016, "Practical Real-Time Strategies for Accurate Indirect Occlusion".
 vec3 ambient_reach(ivec2 pixel, vec3 albedo)
 {
     if (!occluded) return vec3(1.0);
@@ -36,7 +36,7 @@ float visibility_of(uint layer, ivec2 pixel)
     return texelFetch(visibility_images, ivec3(pixel, layer), 0).x;
 }
 
-/// Light from all around, coloured by the hemisphere: L = albedo (1 - metallic) ambient, as far as it reaches.
+/// Reflected ambient light of the hemisphere: L = albedo (1 - metallic) ambient ao.
 vec3 ambient_light(ivec2 pixel, Surface s)
 {
     vec3 ambient = mix(frame.ambient_ground, frame.ambient_sky, 0.5 + 0.5 * s.normal.y);

@@ -4,7 +4,7 @@
 
 layout(push_constant, scalar) uniform Push { ShadowDrawPush push; };
 
-/// Position on the face, in its clip space, of a point of the world.
+/// Clip-space position of a world-space point in the tile's projection.
 vec4 shadow_position(vec3 world_point)
 {
     vec4 world = vec4(world_point, 1.0);

@@ -1,6 +1,5 @@
 #version 460
-// The floor as a G-buffer of its own, for shadows and occlusion: depth and normal where it is seen, and the depth of
-// scene and floor together.
+// Depth and normal of the visible floor, for shadows and occlusion on it, and the depth of scene and floor together.
 #extension GL_GOOGLE_include_directive : require
 #include "lib/gbuffer_packing.glsl"
 #include "techniques/sky/floor.glsl"

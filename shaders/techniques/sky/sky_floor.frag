@@ -6,8 +6,8 @@
 #include "lib/sky.glsl"
 #include "techniques/sky/floor.glsl"
 
-layout(constant_id = 0) const bool rects = true;     // there are rectangles among the lights
-// Whether the images of ambient occlusion and visibility are worth reading. Without: 1 everywhere, which they then hold.
+layout(constant_id = 0) const bool rects = true;     // there are rectangle lights
+// Whether to read ambient occlusion and visibility. If not, both are 1 everywhere.
 layout(constant_id = 1) const bool occluded = true;
 layout(constant_id = 2) const bool shadowed = true;
 layout(PASS_IMAGE(0)) uniform texture2D floor_depth;
@@ -23,7 +23,8 @@ float visibility_of(uint layer, ivec2 pixel)
     return texelFetch(visibility_images, ivec3(pixel, layer), 0).x;
 }
 
-/// Of a grey, dull floor: light keeps its colour, ambient light is taken for white, so that shadows stay grey.
+/// Radiance of a grey, diffuse floor. Lights keep their colour; ambient light enters by luminance only, which keeps shadows
+/// grey.
 vec3 floor_radiance(ivec2 pixel, vec3 p, vec3 v)
 {
     const vec3 up = vec3(0.0, 1.0, 0.0);
