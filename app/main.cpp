@@ -35,10 +35,8 @@ int run(int argc, char** argv)
     cli.footer("Example:\n  atrium render sponza.atrium --eye -11.5,1.7,-0.4 --target 10,3.5,-0.4 -o sponza.png\n\n"
                "`atrium COMMAND --help` tells more.");
     const std::array commands{
-        std::pair{"render", app::add_render_command(cli)},
-        std::pair{"view", app::add_view_command(cli)},
-        std::pair{"bench", app::add_bench_command(cli)},
-        std::pair{"settings", app::add_settings_command(cli)},
+        std::pair{"render", app::add_render_command(cli)},   std::pair{"view", app::add_view_command(cli)},
+        std::pair{"bench", app::add_bench_command(cli)},     std::pair{"settings", app::add_settings_command(cli)},
         std::pair{"devices", app::add_devices_command(cli)},
     };
     for (CLI::App* command : cli.get_subcommands({})) {

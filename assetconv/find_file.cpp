@@ -89,7 +89,7 @@ std::optional<fs::path> find_file(const std::vector<fs::path>& folders, std::str
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         if (candidates[i].empty()) continue;
         for (const fs::path& folder : folders) {
-            if (const auto found = find_without_case(folder, candidates[i], inputs)) return found;
+            if (auto found = find_without_case(folder, candidates[i], inputs)) return found;
             if (tried != nullptr && i < 2 && (i == 0 || relative.has_parent_path()))
                 tried->push_back(folder / candidates[i]);
         }

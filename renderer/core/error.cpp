@@ -5,8 +5,7 @@
 namespace atrium {
 
 Error::Error(ExitCode code, const std::string& what, std::string where, std::string why, std::string next)
-    : std::runtime_error(what), code_(code), where_(std::move(where)), why_(std::move(why)),
-      next_(std::move(next))
+    : std::runtime_error(what), code_(code), where_(std::move(where)), why_(std::move(why)), next_(std::move(next))
 {}
 
 std::string Error::text() const

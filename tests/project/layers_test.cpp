@@ -20,7 +20,7 @@ const std::map<std::string, std::set<std::string>>& allowed()
         {"renderer/core", {}},
         {"renderer/scene", {"renderer/core"}},
         {"renderer/gpu", {"renderer/core"}},
-        {"renderer/graph", {"renderer/core", "renderer/gpu"}},
+        {"renderer/graph", {"renderer/core", "renderer/gpu", "shaders"}},
         {"renderer/materials", {"renderer/core", "renderer/scene", "shaders"}},
         {"renderer/techniques",
          {"renderer/core", "renderer/scene", "renderer/gpu", "renderer/graph", "renderer/materials", "shaders"}},

@@ -293,7 +293,7 @@ TEST(area_light, the_table_is_what_the_program_makes)
          {std::pair{0u, 31u}, {0u, 8u}, {5u, 5u}, {12u, 0u}, {15u, 16u}, {31u, 20u}, {31u, 31u}}) {
         const shared::LtcEntry made = fit_ltc(ltc_roughness(row), ltc_cosine(column));
         const shared::LtcEntry kept = ltc_table()[row * shared::ltc_size + column];
-        const auto same = [&](float a, float b) {
+        const auto same = [&, row = row, column = column](float a, float b) {
             EXPECT_NEAR(a, b, 1e-3f * (1 + std::abs(b))) << row << ", " << column;
         };
         same(made.log2_along, kept.log2_along);

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-struct _XDisplay;
+struct _XDisplay; // NOLINT(bugprone-reserved-identifier): Xlib calls it so
 
 namespace atrium::window {
 

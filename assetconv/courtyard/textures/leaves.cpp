@@ -207,7 +207,8 @@ Canvas paint_cells(const Studio& studio, const std::array<Painter, 4>& painters)
     return paint(studio.size, 1, [&](vec2 uv) {
         const ivec2 cell = glm::min(ivec2(uv * 2.0f), ivec2(1));
         const vec2 within = uv * 2.0f - vec2(cell);
-        Texel t = painters[static_cast<std::size_t>(cell.x + 2 * cell.y)](Spot{{2 * within.x - 1, within.y}, soft});
+        Texel t = painters[static_cast<std::size_t>(cell.x) + 2 * static_cast<std::size_t>(cell.y)](
+            Spot{{2 * within.x - 1, within.y}, soft});
         // A clear margin: no leaf bleeds into its neighbour's mips too soon.
         const vec2 margin = glm::min(within, 1.0f - within);
         t.alpha *= ramp(0.0f, 0.012f, std::min(margin.x, margin.y));

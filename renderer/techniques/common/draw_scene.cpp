@@ -79,7 +79,8 @@ gpu::GraphicsPipelineDesc class_pipeline(gpu::GraphicsPipelineDesc desc, const M
                                            to_string(cls.cls)));
     }
     desc.input = gpu::VertexInput::scene;
-    desc.constants = {geometry.materials_diverge ? 1u : 0u, cls.vertex};
+    const auto own = {geometry.materials_diverge ? 1u : 0u, static_cast<std::uint32_t>(cls.vertex)};
+    desc.constants.insert(desc.constants.begin(), own.begin(), own.end());
     if (tessellates) {
         desc.topology = gpu::Topology::patches;
         desc.patch_points = 3;

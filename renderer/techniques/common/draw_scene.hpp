@@ -29,9 +29,9 @@ struct SceneDraws {
 /// declares the targets. A pipeline is bound only if it differs from the previous range's.
 void draw_scene(graph::PassBuilder& pass, const SceneDraws& draws, const ClassPipeline& pipeline_of);
 
-/// `desc` for a class: vertex input, specialisation constants 0 (materials_diverge) and 1 (vertex_function), and
-/// patches of three control points if it has tessellation stages. Throws std::logic_error if the class is tessellated
-/// and `desc` is not: its depths would differ from those of other passes.
+/// `desc` for a class: vertex input, specialisation constants 0 (materials_diverge) and 1 (vertex_function), after
+/// which its own are counted, and patches of three control points if it has tessellation stages. Throws
+/// std::logic_error if the class is tessellated and `desc` is not: its depths would differ from those of other passes.
 [[nodiscard]] gpu::GraphicsPipelineDesc class_pipeline(gpu::GraphicsPipelineDesc desc, const MaterialClassInfo& cls,
                                                        const Geometry& geometry);
 
