@@ -37,12 +37,12 @@ std::vector<RangeDraw> declare_pipelines(graph::PassBuilder& pass, const SceneDr
             continue;
         }
         const MaterialClassInfo& cls = class_info(range.cls);
-        auto desc = pipeline_of(cls);
-        if (!desc) continue;
-        *desc = class_pipeline(*std::move(desc), cls, draws.geometry);
-        const auto known = std::find(pipelines.begin(), pipelines.end(), *desc);
+        const std::optional<gpu::GraphicsPipelineDesc> own = pipeline_of(cls);
+        if (!own) continue;
+        const gpu::GraphicsPipelineDesc desc = class_pipeline(*own, cls, draws.geometry);
+        const auto known = std::find(pipelines.begin(), pipelines.end(), desc);
         out.push_back({range, static_cast<std::size_t>(known - pipelines.begin())});
-        if (known == pipelines.end()) pipelines.push_back(*std::move(desc));
+        if (known == pipelines.end()) pipelines.push_back(desc);
     }
     for (gpu::GraphicsPipelineDesc& desc : pipelines) pass.pipeline(std::move(desc));
     return out;
