@@ -8,13 +8,6 @@
 namespace atrium::graph {
 namespace {
 
-using A = Access;
-
-constexpr auto color = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
-constexpr auto fragment = VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
-constexpr auto compute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
-constexpr auto transfer = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
-
 /// A chain in which each image is made from the one before.
 SmallGraph chain(const std::vector<std::uint64_t>& sizes)
 {

@@ -9,17 +9,8 @@
 namespace atrium::graph {
 namespace {
 
-using A = Access;
-
-constexpr auto color = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
-constexpr auto fragment = VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
-constexpr auto compute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
 constexpr auto build = VK_PIPELINE_STAGE_2_ACCELERATION_STRUCTURE_BUILD_BIT_KHR;
-constexpr auto shader_read = VK_ACCESS_2_SHADER_SAMPLED_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_READ_BIT;
-constexpr auto storage_both = shader_read | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
-constexpr auto undefined = VK_IMAGE_LAYOUT_UNDEFINED;
 constexpr auto general = VK_IMAGE_LAYOUT_GENERAL;
-constexpr auto read_layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
 
 void expect(const Barrier& b, Scope source, Scope destination, VkImageLayout before = undefined,
             VkImageLayout after = undefined)
@@ -30,16 +21,6 @@ void expect(const Barrier& b, Scope source, Scope destination, VkImageLayout bef
     EXPECT_EQ(b.dst_access, destination.access);
     EXPECT_EQ(b.old_layout, before);
     EXPECT_EQ(b.new_layout, after);
-}
-
-std::string refusal(const SmallGraph& g)
-{
-    try {
-        (void)make_plan(g.desc);
-    } catch (const std::logic_error& error) {
-        return error.what();
-    }
-    return "";
 }
 
 TEST(plan_images, a_storage_image_is_written_in_one_layout_and_sampled_in_another)

@@ -9,7 +9,6 @@
 namespace atrium::graph {
 namespace {
 
-using A = Access;
 using Indices = std::vector<std::uint32_t>;
 
 TEST(plan_passes, unused_passes_are_dropped_with_all_that_only_they_used)
@@ -67,17 +66,6 @@ TEST(plan_passes, each_mip_is_wanted_for_itself)
     g.pass_if_wanted("mip 1", {{i, A::color_write, {1, 1, 0, 1}, true}});
     g.pass_if_wanted("out", {{i, A::sampled_fragment, {1, 1, 0, 1}}, {out, A::color_write, {}, true}});
     EXPECT_EQ(make_plan(g.desc).dropped, Indices{0});
-}
-
-/// The message of the refusal; empty when the graph is accepted.
-std::string refusal(const SmallGraph& g, const std::vector<FinalUse>& finals = {})
-{
-    try {
-        (void)make_plan(g.desc, finals);
-    } catch (const std::logic_error& error) {
-        return error.what();
-    }
-    return "";
 }
 
 TEST(plan_refusals, reading_what_nobody_wrote_names_both)

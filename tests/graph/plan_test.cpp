@@ -8,26 +8,17 @@
 namespace atrium::graph {
 namespace {
 
-using A = Access;
 using Barriers = std::vector<Barrier>;
 
 constexpr auto none = VK_PIPELINE_STAGE_2_NONE;
-constexpr auto color = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
-constexpr auto fragment = VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
-constexpr auto compute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
-constexpr auto transfer = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
 constexpr auto indirect = VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT;
 constexpr auto tests = VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
-constexpr auto shader_read = VK_ACCESS_2_SHADER_SAMPLED_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_READ_BIT;
 constexpr auto storage_write = VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
-constexpr auto storage_both = shader_read | storage_write;
 constexpr auto color_write = VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT;
 constexpr auto color_both = color_write | VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT;
 constexpr auto depth_read = VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT;
 constexpr auto depth_write = VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT;
-constexpr auto undefined = VK_IMAGE_LAYOUT_UNDEFINED;
 constexpr auto color_layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-constexpr auto read_layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
 constexpr auto depth_layout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL;
 constexpr auto depth_read_layout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL;
 constexpr auto present_layout = VK_IMAGE_LAYOUT_PRESENT_SRC_KHR;

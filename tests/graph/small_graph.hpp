@@ -3,10 +3,23 @@
 
 #include "renderer/graph/plan.hpp"
 
+#include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace atrium::graph {
+
+using A = Access;
+
+inline constexpr auto color = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
+inline constexpr auto fragment = VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
+inline constexpr auto compute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+inline constexpr auto transfer = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
+inline constexpr auto shader_read = VK_ACCESS_2_SHADER_SAMPLED_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_READ_BIT;
+inline constexpr auto storage_both = shader_read | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
+inline constexpr auto undefined = VK_IMAGE_LAYOUT_UNDEFINED;
+inline constexpr auto read_layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
 
 struct SmallGraph {
     GraphDesc desc;
@@ -44,6 +57,17 @@ struct SmallGraph {
         desc.passes.push_back({std::move(name), std::move(uses), false});
     }
 };
+
+/// The message of the refusal; empty when the graph is accepted.
+inline std::string refusal(const SmallGraph& g, const std::vector<FinalUse>& finals = {})
+{
+    try {
+        static_cast<void>(make_plan(g.desc, finals));
+    } catch (const std::logic_error& error) {
+        return error.what();
+    }
+    return "";
+}
 
 inline bool operator==(const SubresourceRange& a, const SubresourceRange& b)
 {
