@@ -8,12 +8,6 @@
 
 namespace atrium::graph {
 
-/// A declared use that shaders reach through set 2.
-struct BoundUse {
-    gpu::PassBinding at;
-    std::size_t use = 0; ///< index into Pass::uses
-};
-
 /// The bindings of a pass in ascending order: sampled images, storage buffers and storage images, each kind numbered in
 /// order of declaration (shaders/shared/pass.h). Transfer passes bind nothing. `is_image`: by resource.
 [[nodiscard]] std::vector<BoundUse> bind_uses(const Pass& pass, const std::function<bool(ResourceIndex)>& is_image);

@@ -160,14 +160,6 @@ PassBuilder& PassBuilder::reads_mip(Tex texture, std::uint32_t mip)
     return *this;
 }
 
-PassBuilder& PassBuilder::reads_storage(Tex texture, std::uint32_t mip)
-{
-    if (pass().kind != PassKind::compute)
-        throw std::logic_error(fmt::format("pass {}: only compute passes read storage images", pass().name));
-    const std::uint32_t layers = texture ? graph_.desc(texture).layers : 1;
-    return use(texture, Access::storage_read, {mip, 1, 0, layers});
-}
-
 PassBuilder& PassBuilder::reads(Buf buffer)
 {
     return reads(buffer, sampled_by_kind[static_cast<std::size_t>(pass().kind)]);

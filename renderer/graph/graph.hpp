@@ -168,6 +168,12 @@ struct Attachment {
     Tex resolve{};       ///< of a multisampled target: the image that it is resolved into, if any
 };
 
+/// A declared use that shaders reach through set 2.
+struct BoundUse {
+    gpu::PassBinding at;
+    std::size_t use = 0; ///< index into Pass::uses
+};
+
 /// A declared pass. Built by PassBuilder.
 struct Pass {
     std::string name;
@@ -178,7 +184,8 @@ struct Pass {
     bool depth_writes = false, side_effect = false;
     std::vector<gpu::GraphicsPipelineDesc> graphics;
     std::vector<gpu::ComputePipelineDesc> compute;
-    gpu::PassLayout layout = 0; ///< of set 2, found by the runner
+    std::vector<BoundUse> bound; ///< set 2, found by the runner, as is its layout
+    gpu::PassLayout layout = 0;
     std::function<void(Cmd&)> record;
 };
 
@@ -188,8 +195,6 @@ public:
     PassBuilder& reads(Tex texture); ///< sampled, at the next binding of set 2; transfer: copied from
     PassBuilder& reads_layer(Tex texture, std::uint32_t layer); ///< one layer of it, bound as an image of its own
     PassBuilder& reads_mip(Tex texture, std::uint32_t mip);     ///< one mip, bound as an image with only this mip
-    /// Compute: read as a storage image, at the next storage image binding of set 2.
-    PassBuilder& reads_storage(Tex texture, std::uint32_t mip = 0);
     PassBuilder& reads(Buf buffer);
     PassBuilder& reads(Buf buffer, Access access);
     /// All texels of mip 0, or those of another mip or layer. Raster: the next colour target; compute: the next storage

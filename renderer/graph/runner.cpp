@@ -78,9 +78,9 @@ std::vector<std::string> shaders_of(const gpu::ComputePipelineDesc& desc)
 void Runner::lay_out_bindings(const Graph& graph, Pass& pass)
 {
     const auto is_image = [&](ResourceIndex r) { return graph.resources_[r].is_image; };
-    const std::vector<BoundUse> bound = bind_uses(pass, is_image);
+    pass.bound = bind_uses(pass, is_image);
     std::vector<gpu::PassBinding> bindings;
-    for (const BoundUse& b : bound) bindings.push_back(b.at);
+    for (const BoundUse& b : pass.bound) bindings.push_back(b.at);
     pass.layout = descriptors_.pass_layout(bindings);
 
     bool known = true; // a pipeline with this layout was checked when it was made
@@ -102,7 +102,7 @@ void Runner::lay_out_bindings(const Graph& graph, Pass& pass)
     };
     list(pass.graphics);
     list(pass.compute);
-    check_bindings(pass, bound, shaders, [&](ResourceIndex r) { return graph.resources_[r].name; });
+    check_bindings(pass, pass.bound, shaders, [&](ResourceIndex r) { return graph.resources_[r].name; });
 }
 
 void Runner::prepare_pipelines(Graph& graph)
@@ -242,7 +242,7 @@ void Runner::record(VkCommandBuffer commands, Graph& graph, gpu::TimerMode mode,
 void Runner::bind_resources(VkCommandBuffer commands, const Pass& pass)
 {
     std::vector<gpu::PassDescriptor> descriptors;
-    for (const BoundUse& bound : bind_uses(pass, [&](ResourceIndex r) { return described_.resources[r].is_image; })) {
+    for (const BoundUse& bound : pass.bound) {
         const Use& use = pass.uses[bound.use];
         gpu::PassDescriptor& d = descriptors.emplace_back();
         d.at = bound.at;
