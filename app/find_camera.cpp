@@ -115,11 +115,7 @@ Bounds bounds_of(const SceneInput& scene)
     Bounds all;
     for (const Instance& instance : scene.instances) {
         const Bounds own = part_of(scene.bakes[instance.bake]->scene(), instance).bounds;
-        for (int corner = 0; corner < 8 && !own.empty(); ++corner) {
-            const vec3 p((corner & 1) != 0 ? own.max.x : own.min.x, (corner & 2) != 0 ? own.max.y : own.min.y,
-                         (corner & 4) != 0 ? own.max.z : own.min.z);
-            all.add(vec3(instance.world_from_object * vec4(p, 1)));
-        }
+        all.add(transformed(own, instance.world_from_object));
     }
     return all;
 }

@@ -68,16 +68,6 @@ std::vector<std::uint32_t> meshes_of(const Scene& scene, const Instance& instanc
     return all;
 }
 
-Bounds transformed(const Bounds& b, const mat4& m)
-{
-    Bounds out;
-    for (int corner = 0; corner < 8; ++corner) {
-        const vec3 p(corner & 1 ? b.max.x : b.min.x, corner & 2 ? b.max.y : b.min.y, corner & 4 ? b.max.z : b.min.z);
-        out.add(vec3(m * vec4(p, 1)));
-    }
-    return out;
-}
-
 } // namespace
 
 std::string triangle_culling_refusal(const gpu::DeviceReport& device, const TriangleBytes& bytes)

@@ -38,6 +38,19 @@ struct Bounds {
     [[nodiscard]] vec3 centre() const { return empty() ? vec3(0) : 0.5f * (min + max); }
     [[nodiscard]] vec3 extent() const { return empty() ? vec3(0) : max - min; }
     [[nodiscard]] float diagonal() const { return glm::length(extent()); }
+    /// Of the eight corners the n-th; bits 0, 1 and 2 choose the maximum of x, y and z. Not of empty bounds.
+    [[nodiscard]] vec3 corner(unsigned n) const
+    {
+        return {(n & 1) != 0 ? max.x : min.x, (n & 2) != 0 ? max.y : min.y, (n & 4) != 0 ? max.z : min.z};
+    }
 };
+
+/// Bounds of the eight corners after an affine transform; empty bounds stay empty.
+[[nodiscard]] inline Bounds transformed(const Bounds& b, const mat4& m)
+{
+    Bounds out;
+    for (unsigned n = 0; n < 8 && !b.empty(); ++n) out.add(vec3(m * vec4(b.corner(n), 1)));
+    return out;
+}
 
 } // namespace atrium

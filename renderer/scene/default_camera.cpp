@@ -107,10 +107,7 @@ Camera frame_points(std::span<const PointSet> sets, float fov, float aspect)
 Camera frame_bounds(const Bounds& bounds, float fov, float aspect)
 {
     std::array<vec3, 8> corners;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        corners[i] = {(i & 1) != 0 ? bounds.max.x : bounds.min.x, (i & 2) != 0 ? bounds.max.y : bounds.min.y,
-                      (i & 4) != 0 ? bounds.max.z : bounds.min.z};
-    }
+    for (unsigned i = 0; i < corners.size(); ++i) corners[i] = bounds.corner(i);
     const PointSet set{std::as_bytes(std::span(corners)).data(), sizeof(vec3), bounds.empty() ? 0 : corners.size()};
     return frame_points({&set, 1}, fov, aspect);
 }

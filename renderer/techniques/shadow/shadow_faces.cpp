@@ -88,9 +88,8 @@ LightFaces sun_faces(const Light& light, const Bounds& scene, const CascadeFit& 
     const LightAxes own = axes_of(light);
     const Axes axes{own.right, own.up, own.direction};
     dvec3 low(1e30), high(-1e30); // of the scene, in the light's axes
-    for (int corner = 0; corner < 8; ++corner) {
-        const dvec3 p(corner & 1 ? scene.max.x : scene.min.x, corner & 2 ? scene.max.y : scene.min.y,
-                      corner & 4 ? scene.max.z : scene.min.z);
+    for (unsigned n = 0; n < 8; ++n) {
+        const dvec3 p(scene.corner(n));
         const dvec3 q(glm::dot(p, dvec3(axes.x)), glm::dot(p, dvec3(axes.y)), glm::dot(p, dvec3(axes.z)));
         low = glm::min(low, q);
         high = glm::max(high, q);
