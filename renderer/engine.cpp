@@ -250,11 +250,6 @@ void count_draws(std::span<const std::byte> bytes, const GpuScene& scene, FrameR
 
 } // namespace
 
-FrameResult Engine::render(const FrameRequest& request)
-{
-    return draw(request);
-}
-
 void Engine::keep_shown(graph::Graph& g, const Frame& frame, const FrameRequest& request)
 {
     State& s = *state_;
@@ -284,7 +279,7 @@ std::vector<float> Engine::buffer_value(std::size_t buffer, vec2 at) const
     return out;
 }
 
-FrameResult Engine::draw(const FrameRequest& request)
+FrameResult Engine::render(const FrameRequest& request)
 {
     State& s = *state_;
     if (!s.scene) throw std::logic_error("render() before load()");

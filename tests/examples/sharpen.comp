@@ -14,8 +14,8 @@ void main()
     if (any(greaterThan(pixel, last))) return;
     vec4 around = vec4(0.0);
     for (int i = 0; i < 4; ++i) {
-        ivec2 beside = ivec2(i % 2, 1 - i % 2) * (i < 2 ? 1 : -1);
-        around += 0.25 * texelFetch(picture, clamp(pixel + beside, ivec2(0), last), 0);
+        ivec2 offset = ivec2(i % 2, 1 - i % 2) * (i < 2 ? 1 : -1);
+        around += 0.25 * texelFetch(picture, clamp(pixel + offset, ivec2(0), last), 0);
     }
     vec4 own = texelFetch(picture, pixel, 0);
     imageStore(sharp, pixel, own + strength * (own - around));

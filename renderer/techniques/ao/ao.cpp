@@ -26,10 +26,10 @@ AmbientOcclusion add_ao(graph::Graph& g, graph::Tex depth, graph::Tex normal, co
     const std::uint32_t scale = s.half_resolution ? 2 : 1;
     const shared::AoPush push{s.radius, s.falloff, s.power, s.thin, scale, s.blur ? 1u : 0u};
     const uvec2 full = view.render_size, size = (full + scale - 1u) / scale;
-    const graph::TexDesc reckoned{Format::rg32_float, size.x, size.y};
+    const graph::TexDesc reduced{Format::rg32_float, size.x, size.y};
 
     AmbientOcclusion out;
-    out.raw = g.texture(prefix + "ao.raw", reckoned);
+    out.raw = g.texture(prefix + "ao.raw", reduced);
     graph::PassBuilder pass = g.raster(prefix + "ao");
     pass.reads(depth).reads(normal).writes(out.raw);
     if (s.method == AoMethod::gtao)
@@ -39,7 +39,7 @@ AmbientOcclusion add_ao(graph::Graph& g, graph::Tex depth, graph::Tex normal, co
 
     out.result = out.raw;
     if (s.blur) {
-        out.result = g.texture(prefix + "ao.blurred", reckoned);
+        out.result = g.texture(prefix + "ao.blurred", reduced);
         g.raster(prefix + "ao.blur")
             .reads(depth)
             .reads(normal)
