@@ -26,16 +26,6 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20;
 constexpr std::uint64_t default_limit = 4096 * mebibyte; // three dozen of Sponza
 
-/// Opening a bake checks only the sizes of the bulk sections.
-void check_bulk(const BakeFile& bake)
-{
-    for (std::uint32_t i = 0; i < bake::section_count; ++i) {
-        if (hash64(bake.section(static_cast<bake::Section>(i))) == bake.table()[i].hash) continue;
-        throw Error(ExitCode::input, fmt::format("the bake is damaged in its section {}", bake::section_names[i]),
-                    bake.path().string(), "its hash does not match", "");
-    }
-}
-
 } // namespace
 
 fs::path cache_folder()
@@ -81,7 +71,7 @@ bool CachedBake::is_current(InputRecord& inputs) const
         const BakeFile file(bake);
         if (hash64(std::as_bytes(std::span(file.table()))) != found.result)
             throw Error(ExitCode::input, "the bake does not match its record", bake.string(), "", "");
-        check_bulk(file);
+        check_hashes(file);
         inputs = std::move(found);
         return true;
     } catch (const Error& error) {

@@ -53,6 +53,9 @@ struct BakeData {
 /// Writes atomically. The same data give the same bytes. Throws what check_scene throws, before anything is written.
 void write_bake(const std::filesystem::path& file, const BakeData& data);
 
+/// Throws Error(input) if the bytes of a section do not match its hash. Opening checks bulk sections by size only.
+void check_hashes(const BakeFile& bake);
+
 /// Everything `verify` checks beyond opening: the hash of every section, every cross reference of the bulk data
 /// (each index below its mesh's vertex range), padding, nothing after the last section. Returns one line per section;
 /// throws Error(input) at the first damage.

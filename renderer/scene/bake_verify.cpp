@@ -75,18 +75,24 @@ void check_indices(const BakeFile& bake, const std::string& name)
 
 } // namespace
 
+void check_hashes(const BakeFile& bake)
+{
+    for (std::size_t i = 0; i < bake::section_count; ++i) {
+        if (hash64(bake.section(static_cast<bake::Section>(i))) == bake.table()[i].hash) continue;
+        bake::refuse(bake.path().string(), std::string("section ") + bake::section_names[i], "its hash does not match");
+    }
+}
+
 std::vector<std::string> verify_bake(const std::filesystem::path& file)
 {
     const BakeFile bake(file);
     const std::string name = file.string();
     check_padding(bake, name);
+    check_hashes(bake);
 
     std::vector<std::string> lines;
     for (std::size_t i = 0; i < bake::section_count; ++i) {
         const bake::SectionEntry& entry = bake.table()[i];
-        if (hash64(bake.section(static_cast<bake::Section>(i))) != entry.hash) {
-            bake::refuse(name, std::string("section ") + bake::section_names[i], "its hash does not match");
-        }
         lines.push_back(fmt::format("{:<8} {:>12} bytes at {:>12}, XXH3 {:016x}: whole", bake::section_names[i],
                                     entry.size, entry.offset, entry.hash));
     }
