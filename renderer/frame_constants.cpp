@@ -32,6 +32,8 @@ shared::FrameConstants make_frame_constants(const View& view, const LightSet& li
     f.forward = view.axes.forward;
     f.tan_x = view.tangents.x;
     f.tan_y = view.tangents.y;
+    const vec2 shift = view.clip_jitter * view.tangents;
+    f.ray_forward = f.forward - shift.x * f.right - shift.y * f.up;
     f.exposure = exposure;
     f.size = vec2(view.render_size);
     f.inv_size = 1.0f / f.size;

@@ -16,7 +16,7 @@ struct FrameConstants {
     float tan_x;               // tangent of half the horizontal field of view
     vec3 up;
     float tan_y;
-    vec3 forward;
+    vec3 ray_forward;          // forward with the jitter taken off: the ray through the middle of the picture
     float exposure;            // colour buffers hold luminance x this
     vec2 size;                 // pixels
     vec2 inv_size;
@@ -27,14 +27,15 @@ struct FrameConstants {
     vec3 sky_zenith;           // radiance x exposure
     vec3 sky_horizon;
     vec3 sky_ground;
+    GpuLight lights[light_capacity];
+    vec3 forward;              // unit
     vec2 jitter;               // contained in both matrices; normalised device coordinates
     vec2 corner;               // upper left of the picture in normalised device coordinates without jitter
-    GpuLight lights[light_capacity];
 };
 
 SHARED_END
 #ifdef __cplusplus
 static_assert(offsetof(atrium::shared::FrameConstants, eye) == 128 && offsetof(atrium::shared::FrameConstants, size) == 192);
-static_assert(offsetof(atrium::shared::FrameConstants, lights) == 292);
+static_assert(offsetof(atrium::shared::FrameConstants, lights) == 276);
 #endif
 #endif

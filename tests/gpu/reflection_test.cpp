@@ -72,6 +72,7 @@ TEST(shared_structs, frame_constants_and_lights_have_one_layout)
     EXPECT_MEMBER(o, FrameConstants, near);
     EXPECT_MEMBER(o, FrameConstants, right);
     EXPECT_MEMBER(o, FrameConstants, exposure);
+    EXPECT_MEMBER(o, FrameConstants, ray_forward);
     EXPECT_MEMBER(o, FrameConstants, size);
     EXPECT_MEMBER(o, FrameConstants, ambient_ground);
     EXPECT_MEMBER(o, FrameConstants, light_count);

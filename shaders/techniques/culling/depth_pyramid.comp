@@ -1,7 +1,6 @@
 #version 460
 // A further level of the depth pyramid: the farthest depth of pyramid_step x pyramid_step cells of the level below.
 #extension GL_GOOGLE_include_directive : require
-#include "lib/dispatch.glsl"
 #include "lib/pass.glsl"
 #include "shared/culling.h"
 
@@ -11,7 +10,7 @@ layout(push_constant, scalar) uniform Push { PyramidPush push; };
 
 void main()
 {
-    uint i = INVOCATION_INDEX;
+    uint i = gl_GlobalInvocationID.x; // of the largest image one row of work groups
     if (i >= push.target.cells.x * push.target.cells.y) return;
     uvec2 from = uvec2(i % push.target.cells.x, i / push.target.cells.x) * pyramid_step;
     uvec2 to = min(from + pyramid_step, push.source.cells);
