@@ -147,6 +147,9 @@ VkImageView Image::view(const ImagePart& part) const
 
 VkImageView Image::create_view(const ImagePart& part) const
 {
+    // Vulkan allows no view of an image that is only copied.
+    constexpr VkImageUsageFlags copies = VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+    if ((desc_.usage & ~copies) == 0 && !others_) return VK_NULL_HANDLE;
     VkImageViewCreateInfo create{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
     create.image = image_;
     create.viewType = part.layers > 1 || part.array ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D;
