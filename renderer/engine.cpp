@@ -79,10 +79,9 @@ struct Engine::State {
         : options(o), instance(o.validate, o.window.instance_extensions),
           device(instance, gpu::choose_device(instance, o.device), static_cast<bool>(o.window)), descriptors(device),
           pipelines(device, descriptors, o.shaders, o.cache_folder), runner(device, descriptors, pipelines),
-          frame(device), kept_readbacks(device), shadow_maps(device), ui(device),
+          frame(device, descriptors), kept_readbacks(device), shadow_maps(device), ui(device),
           ltc(device, "ltc", ltc_table().size_bytes(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::MemoryUse::upload)
     {
-        descriptors.set_frame_buffer(gpu::FrameBinding::constants, frame.constants);
         std::memcpy(ltc.mapped().data(), ltc_table().data(), ltc_table().size_bytes());
         ltc.flush();
         descriptors.set_frame_buffer(gpu::FrameBinding::ltc, ltc);
@@ -138,6 +137,7 @@ void Engine::load(const SceneDescription& scene)
     unload();
     state_->scene = std::make_unique<GpuScene>(state_->device, state_->descriptors, scene.bakes, scene.instances,
                                                scene.overrides, state_->options.upload);
+    state_->frame.set_scene(state_->scene.get());
 }
 
 void Engine::set_ui_font(uvec2 size, std::span<const std::byte> rgba)
@@ -184,6 +184,7 @@ ShowResult Engine::show(const UiDraws& ui, float divider)
 void Engine::unload()
 {
     forget_frames();
+    state_->frame.set_scene(nullptr);
     state_->scene.reset();
 }
 
@@ -220,15 +221,16 @@ View Engine::view_of(const FrameRequest& request) const
 
 void Engine::set_frame_constants(const FrameRequest& request)
 {
-    write_constants(view_of(request), make_light_set(request.lights, most_shadowed_lights(request.settings.shadow)),
-                    request.settings);
+    write_frame(view_of(request), make_light_set(request.lights, most_shadowed_lights(request.settings.shadow)),
+                request.settings);
 }
 
-void Engine::write_constants(const View& view, const LightSet& lights, const Settings& settings)
+void Engine::write_frame(const View& view, const LightSet& lights, const Settings& settings)
 {
     State& s = *state_;
     s.descriptors.set_material_filter(settings.texture.anisotropy, 0);
     s.scene->sort_for(view.camera.eye);
+    s.frame.write(*s.scene);
     s.frame.write(make_frame_constants(view, lights, settings));
 }
 
@@ -292,7 +294,7 @@ FrameResult Engine::render(const FrameRequest& request)
     s.scene->set_previous_instances(request.previous_instances);
     const View view = view_of(request);
     const LightSet lights = make_light_set(request.lights, most_shadowed_lights(request.settings.shadow));
-    write_constants(view, lights, request.settings);
+    write_frame(view, lights, request.settings);
 
     graph::Graph g(s.runner, {view.render_size, view.output_size,
                               slot_of(request) == PictureSlot::other ? "other" : "main", view.cut});

@@ -96,7 +96,7 @@ public:
 private:
     void forget_frames(); ///< what outlives a frame on the device
     [[nodiscard]] View view_of(const FrameRequest& request) const;
-    void write_constants(const View& view, const LightSet& lights, const Settings& settings);
+    void write_frame(const View& view, const LightSet& lights, const Settings& settings);
     void keep_shown(graph::Graph& g, const Frame& frame, const FrameRequest& request);
     struct State;
     std::unique_ptr<State> state_;

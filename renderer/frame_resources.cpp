@@ -1,5 +1,6 @@
 #include "renderer/frame_resources.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 namespace atrium {
@@ -51,16 +52,57 @@ std::span<const std::byte> bytes_in(const gpu::Buffer& buffer)
     return buffer.mapped();
 }
 
-FrameResources::FrameResources(const gpu::Device& device)
-    : constants(device, "frame constants", sizeof(shared::FrameConstants), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
-                gpu::MemoryUse::upload),
-      readbacks(device)
-{}
+namespace {
+
+template <class T>
+void fill(const gpu::Buffer& buffer, std::span<const T> items)
+{
+    std::memcpy(buffer.mapped().data(), items.data(), items.size_bytes());
+    buffer.flush();
+}
+
+} // namespace
+
+FrameResources::FrameResources(const gpu::Device& device, gpu::Descriptors& descriptors)
+    : readbacks(device), device_(device), descriptors_(descriptors),
+      constants_(device, "frame constants", sizeof(shared::FrameConstants), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
+                 gpu::MemoryUse::upload)
+{
+    descriptors.set_frame_buffer(gpu::FrameBinding::constants, constants_);
+}
+
+gpu::Buffer FrameResources::make_table(gpu::FrameBinding binding, const char* name, std::uint64_t bytes)
+{
+    constexpr std::uint64_t smallest = 256; // a buffer of a scene without items
+    gpu::Buffer table(device_, name, std::max(bytes, smallest), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                      gpu::MemoryUse::upload);
+    descriptors_.set_frame_buffer(binding, table);
+    return table;
+}
+
+void FrameResources::set_scene(const GpuScene* scene)
+{
+    for (gpu::Buffer* table : {&draw_order_, &materials_, &records_}) *table = {};
+    if (!scene) return;
+    draw_order_ = make_table(gpu::FrameBinding::draw_order, "draw order", scene->tasks().count * sizeof(std::uint32_t));
+    materials_ = make_table(gpu::FrameBinding::materials, "materials", scene->packed_materials().size_bytes());
+    records_ = make_table(gpu::FrameBinding::records, "records", scene->records().size_bytes());
+    scene_version_ = 0;
+}
 
 void FrameResources::write(const shared::FrameConstants& values)
 {
-    std::memcpy(constants.mapped().data(), &values, sizeof(values));
-    constants.flush();
+    fill(constants_, std::span(&values, 1));
+}
+
+void FrameResources::write(const GpuScene& scene)
+{
+    scene.write_order(std::span(reinterpret_cast<std::uint32_t*>(draw_order_.mapped().data()), scene.tasks().count));
+    draw_order_.flush();
+    if (scene_version_ == scene.version()) return;
+    scene_version_ = scene.version();
+    fill(materials_, scene.packed_materials());
+    fill(records_, scene.records());
 }
 
 } // namespace atrium

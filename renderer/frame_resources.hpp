@@ -1,9 +1,9 @@
 #pragma once
-// The uniform buffer and the readbacks of one frame in flight. There is one; more frames in flight would each have an
-// object of this type. Not in here yet, although the host writes or reads them for each frame: draw order and records
-// (GpuScene), shadow faces (ShadowMaps), triangles of the interface (Ui), timers (graph::Runner).
+// What the host writes for one frame in flight and reads after it: the buffers of set 1 and the readbacks. Its timers
+// and uploads are in graph::FrameSlot. There is one; more frames in flight would each have an object of this type.
 
-#include "renderer/gpu/resources.hpp"
+#include "renderer/gpu/descriptors.hpp"
+#include "renderer/gpu_scene.hpp"
 #include "renderer/graph/graph.hpp"
 #include "shaders/shared/frame.h"
 
@@ -38,12 +38,23 @@ private:
 
 class FrameResources {
 public:
-    explicit FrameResources(const gpu::Device& device);
+    FrameResources(const gpu::Device& device, gpu::Descriptors& descriptors);
 
-    gpu::Buffer constants; ///< shared::FrameConstants
     Readbacks readbacks;
 
+    /// Makes the tables of a scene; without a scene, releases those of the last.
+    void set_scene(const GpuScene* scene);
     void write(const shared::FrameConstants& values);
+    /// Writes the scene's draw order, and its materials and records if they are not those written last.
+    void write(const GpuScene& scene);
+
+private:
+    [[nodiscard]] gpu::Buffer make_table(gpu::FrameBinding binding, const char* name, std::uint64_t bytes);
+    const gpu::Device& device_;
+    gpu::Descriptors& descriptors_;
+    gpu::Buffer constants_; ///< shared::FrameConstants
+    gpu::Buffer draw_order_, materials_, records_;
+    std::uint64_t scene_version_ = 0; ///< GpuScene::version() of materials_ and records_
 };
 
 } // namespace atrium

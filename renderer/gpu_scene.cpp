@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <tuple>
 #include <utility>
 
 namespace atrium {
@@ -199,7 +199,6 @@ void GpuScene::make_tables(std::span<const BakeFile* const> bakes, std::span<con
     pack_materials();
     classify();
     write_tables(clusters);
-    sort_for(bounds_.centre());
 }
 
 void GpuScene::add_materials(const Scene& scene, std::uint32_t first_texture,
@@ -247,8 +246,7 @@ void GpuScene::add_record(const Scene& scene, std::uint32_t mesh_index, const In
         task.centre = vec3(instance.world_from_object * vec4(scene.clusters[c].centre, 1));
         task.radius = scene.clusters[c].radius * record.max_scale;
         task.material = record.material;
-        task.unsorted = static_cast<std::uint32_t>(sorted_.size());
-        sorted_.push_back(task);
+        tasks_on_host_.push_back(task);
     }
     bounds_.add(transformed(mesh.bounds, instance.world_from_object));
 }
@@ -256,24 +254,18 @@ void GpuScene::add_record(const Scene& scene, std::uint32_t mesh_index, const In
 void GpuScene::write_tables(std::span<const shared::GpuCluster> clusters)
 {
     std::vector<shared::DrawTask> tasks;
-    for (const Task& task : sorted_) tasks.push_back(task.draw);
+    for (const Task& task : tasks_on_host_) tasks.push_back(task.draw);
     if (tasks.size() * sizeof(shared::DrawCommand) > device_.report().storage_range) {
         throw Error(ExitCode::environment, "the scene has too many clusters times instances", "",
                     fmt::format("{} draw commands exceed what shaders of this device reach of a buffer", tasks.size()),
                     "use fewer instances");
     }
     task_count_ = static_cast<std::uint32_t>(tasks.size());
-    material_table_ = make_table<shared::GpuMaterial>(device_, "materials", packed_);
-    records_ = make_table<shared::GpuRecord>(device_, "records", record_table_);
     clusters_ = make_table<shared::GpuCluster>(device_, "clusters", clusters);
     tasks_ = make_table<shared::DrawTask>(device_, "draw tasks", tasks);
-    order_ = make_table<std::uint32_t>(device_, "draw order", std::vector<std::uint32_t>(tasks.size()));
     whole_meshes_ = make_table<shared::DrawCommand>(device_, "whole meshes", whole_commands_);
-    descriptors_.set_frame_buffer(gpu::FrameBinding::materials, material_table_);
-    descriptors_.set_frame_buffer(gpu::FrameBinding::records, records_);
     descriptors_.set_frame_buffer(gpu::FrameBinding::clusters, clusters_);
     descriptors_.set_frame_buffer(gpu::FrameBinding::draw_tasks, tasks_);
-    descriptors_.set_frame_buffer(gpu::FrameBinding::draw_order, order_);
     note_ = triangle_culling_refusal(device_.report(),
                                      {vertices_.size(), indices_.size(), task_indices_ * sizeof(std::uint32_t)});
     if (!note_.empty()) {
@@ -300,25 +292,31 @@ void GpuScene::set_previous_instances(std::span<const PreviousInstance> moved)
         for (int r = 0; r < 3; ++r) record.prev_rows[r] = rows[r];
         record.flags |= shared::record_moves;
     }
-    std::memcpy(records_.mapped().data(), record_table_.data(), record_table_.size() * sizeof(shared::GpuRecord));
-    records_.flush();
+    ++version_;
 }
 
 void GpuScene::sort_for(const vec3& eye)
 {
-    for (Task& task : sorted_) {
-        // By its far end: a wall that passes close by must not be drawn before what stands in front of most of it.
-        task.distance = glm::length(task.centre - eye) + task.radius;
-        task.layer =
-            static_cast<std::int32_t>(std::floor(layers_per_octave * std::log2(std::max(task.distance, 1e-6f))));
+    if (order_.size() != tasks_on_host_.size()) {
+        order_.resize(tasks_on_host_.size());
+        for (std::uint32_t i = 0; i < order_.size(); ++i) order_[i].task = i;
     }
-    std::sort(sorted_.begin(), sorted_.end(), [](const Task& a, const Task& b) {
-        return std::tie(a.range, a.layer, a.material, a.distance, a.unsorted) < // ties by index: never by chance
-               std::tie(b.range, b.layer, b.material, b.distance, b.unsorted);
-    });
-    auto* order = reinterpret_cast<std::uint32_t*>(order_.mapped().data());
-    for (std::size_t i = 0; i < sorted_.size(); ++i) order[i] = sorted_[i].unsorted;
-    order_.flush();
+    for (DrawKey& key : order_) { // in the last order, which is close to the next
+        const Task& task = tasks_on_host_[key.task];
+        // By its far end: a wall that passes close by must not be drawn before what stands in front of most of it.
+        const float distance = glm::length(task.centre - eye) + task.radius;
+        constexpr int lowest = 1024; // below floor(layers_per_octave * log2(1e-6))
+        const int layer =
+            static_cast<int>(std::floor(layers_per_octave * std::log2(std::max(distance, 1e-6f)))) + lowest;
+        key.group = std::uint64_t{task.range} << 48 | static_cast<std::uint64_t>(layer) << 32 | task.material;
+        key.distance = std::bit_cast<std::uint32_t>(distance);
+    }
+    std::sort(order_.begin(), order_.end());
+}
+
+void GpuScene::write_order(std::span<std::uint32_t> out) const
+{
+    for (std::size_t i = 0; i < order_.size(); ++i) out[i] = order_[i].task;
 }
 
 } // namespace atrium

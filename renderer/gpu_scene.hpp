@@ -11,6 +11,7 @@
 #include "shaders/shared/culling.h"
 #include "shaders/shared/scene.h"
 
+#include <compare>
 #include <span>
 #include <string>
 #include <vector>
@@ -45,6 +46,12 @@ public:
     /// Arranges the draw order for a camera: within a material, near clusters first, so that they hide far ones before
     /// those are shaded. Between frames only.
     void sort_for(const vec3& eye);
+    /// The draw order: indices of tasks, as the device wants them.
+    void write_order(std::span<std::uint32_t> out) const;
+    [[nodiscard]] std::span<const shared::GpuRecord> records() const { return record_table_; }
+    [[nodiscard]] std::span<const shared::GpuMaterial> packed_materials() const { return packed_; }
+    /// Another number, never 0, after each change of records() or packed_materials().
+    [[nodiscard]] std::uint64_t version() const { return version_; }
     /// One command per mesh of each record in file order, nothing culled: opaque ones first, from 0, then those with
     /// holes. What floor.gbuffer draws.
     [[nodiscard]] const gpu::Buffer& whole_meshes() const { return whole_meshes_; }
@@ -67,7 +74,10 @@ public:
     /// Sets where instances were in the previous frame; all others, also those of the last call, have not moved. Costs
     /// nothing if none has moved. Call it after override_materials(), and only between frames.
     void set_previous_instances(std::span<const PreviousInstance> moved);
-    [[nodiscard]] std::uint32_t material_of_task(std::uint32_t ordered) const { return sorted_[ordered].material; }
+    [[nodiscard]] std::uint32_t material_of_task(std::uint32_t ordered) const
+    {
+        return tasks_on_host_[order_[ordered].task].material;
+    }
 
 private:
     GpuScene(const gpu::Device& device, gpu::Descriptors& descriptors) : device_(device), descriptors_(descriptors) {}
@@ -76,10 +86,14 @@ private:
         vec3 centre{0}; ///< of its bounding sphere, world
         float radius = 0;
         std::uint32_t material = 0;
-        std::uint32_t range = 0;    ///< class and sidedness, in draw order
-        std::uint32_t unsorted = 0; ///< index in the task table
-        float distance = 0;         ///< from the eye to the far end of its sphere, m
-        std::int32_t layer = 0;     ///< of distance, logarithmic
+        std::uint32_t range = 0; ///< class and sidedness, in draw order
+    };
+    /// What the draw order is sorted by. Ties go by task: never by chance.
+    struct DrawKey {
+        std::uint64_t group = 0;    ///< range, layer of distance (logarithmic), material; the first counts most
+        std::uint32_t distance = 0; ///< from the eye to the far end of its sphere, m; bits of the float
+        std::uint32_t task = 0;     ///< index in the task table
+        auto operator<=>(const DrawKey&) const = default;
     };
     struct WholeMesh {
         shared::DrawCommand command{};
@@ -102,18 +116,20 @@ private:
 
     const gpu::Device& device_;
     gpu::Descriptors& descriptors_;
-    gpu::Buffer vertices_, indices_, material_table_, records_, clusters_, tasks_, order_, whole_meshes_;
+    gpu::Buffer vertices_, indices_, clusters_, tasks_, whole_meshes_;
     std::vector<gpu::Image> images_;
     std::vector<gpu::TextureSlot> texture_slots_;
     std::vector<Material> materials_, shown_; ///< shown_: with override_materials()
     std::vector<MaterialOverride> overrides_; ///< of shown_
     std::vector<shared::GpuMaterial> packed_; ///< of shown_
     std::vector<shared::GpuRecord> record_table_;
-    bool any_moved_ = false;        ///< record_table_ has records that moved
+    bool any_moved_ = false; ///< record_table_ has records that moved
+    std::uint64_t version_ = 1;
     std::vector<WholeMesh> meshes_; ///< by record
     std::vector<shared::DrawCommand> whole_commands_;
     std::vector<DrawRange> ranges_, whole_ranges_;
-    std::vector<Task> sorted_;
+    std::vector<Task> tasks_on_host_;
+    std::vector<DrawKey> order_; ///< as sort_for() left it
     std::uint32_t task_count_ = 0;
     std::uint64_t task_indices_ = 0;
     std::uint32_t subgroup_size_ = 0;

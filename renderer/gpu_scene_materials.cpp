@@ -40,10 +40,9 @@ bool GpuScene::override_materials(std::span<const MaterialOverride> overrides)
         shown_[i] = std::move(now);
     }
     pack_materials();
-    refill(material_table_, packed_);
+    ++version_;
     if (alike) return false;
     classify();
-    refill(records_, record_table_);
     refill(whole_meshes_, whole_commands_);
     return true;
 }
@@ -77,7 +76,7 @@ void GpuScene::classify()
         range_of_record.push_back(2 * rank + (two_sided ? 1u : 0u));
         whole[rank].push_back(meshes_[i].command);
     }
-    for (Task& task : sorted_) task.range = range_of_record[task.draw.record];
+    for (Task& task : tasks_on_host_) task.range = range_of_record[task.draw.record];
     find_ranges();
 
     whole_commands_.clear();
@@ -93,7 +92,7 @@ void GpuScene::classify()
 void GpuScene::find_ranges()
 {
     std::vector<std::uint32_t> counts(2 * material_class_count);
-    for (const Task& task : sorted_) ++counts[task.range];
+    for (const Task& task : tasks_on_host_) ++counts[task.range];
     ranges_.clear();
     std::uint32_t first = 0;
     for (std::uint32_t range = 0; range < counts.size(); ++range) {

@@ -3,26 +3,10 @@
 #include "renderer/scene_upload.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <stdexcept>
 
 namespace atrium {
 namespace {
-
-/// Copies into a buffer that grows by doubling.
-template <class T>
-void write(const gpu::Device& device, gpu::Buffer& buffer, const char* name, const std::vector<T>& values,
-           VkBufferUsageFlags usage)
-{
-    const std::uint64_t bytes = values.size() * sizeof(T);
-    if (buffer.size() < bytes || buffer.size() == 0) {
-        std::uint64_t size = 65536;
-        while (size < bytes) size *= 2;
-        buffer = gpu::Buffer(device, name, size, usage, gpu::MemoryUse::upload);
-    }
-    std::memcpy(buffer.mapped().data(), values.data(), bytes);
-    buffer.flush();
-}
 
 constexpr const char *main_picture = "ui.picture", *other_picture = "ui.other_picture", *kept_insets = "ui.insets";
 
@@ -73,10 +57,8 @@ void Ui::add_pictures(graph::Graph& g, graph::Tex window, float divider)
 
 void Ui::add(graph::Graph& g, graph::Tex window, const UiDraws& draws)
 {
-    write(device_, vertices_, "ui.vertices", draws.vertices, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    write(device_, indices_, "ui.indices", draws.indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
-    const graph::Buf vertices = g.import("ui.vertices", vertices_);
-    const graph::Buf indices = g.import("ui.indices", indices_);
+    const graph::Buf vertices = g.upload("ui.vertices", draws.vertices);
+    const graph::Buf indices = g.upload("ui.indices", draws.indices);
     const graph::Tex font = g.import("ui.font", font_, gpu::Access::sampled_fragment);
     const graph::Tex insets = g.kept(kept_insets).value_or(font);
     gpu::GraphicsPipelineDesc state;

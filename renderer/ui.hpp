@@ -49,7 +49,6 @@ public:
 private:
     const gpu::Device& device_;
     gpu::Image font_;
-    gpu::Buffer vertices_, indices_;
 };
 
 } // namespace atrium

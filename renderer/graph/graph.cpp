@@ -1,5 +1,7 @@
 #include "renderer/graph/graph.hpp"
 
+#include "renderer/graph/frame_slot.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -61,6 +63,15 @@ Buf Graph::import(std::string name, const gpu::Buffer& buffer, Access initial)
     r.initial = initial;
     resources_.push_back(std::move(r));
     return {static_cast<ResourceIndex>(resources_.size() - 1)};
+}
+
+Buf Graph::upload_bytes(std::string name, std::span<const std::byte> bytes)
+{
+    if (!uploads_) throw std::logic_error(fmt::format("graph: \"{}\" is uploaded, and there is no runner", name));
+    const gpu::Buffer& buffer = uploads_->next(bytes.size());
+    std::copy(bytes.begin(), bytes.end(), buffer.mapped().begin());
+    buffer.flush();
+    return import(std::move(name), buffer);
 }
 
 Tex Graph::import(std::string name, const gpu::Image& image, Access initial)

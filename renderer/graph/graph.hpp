@@ -106,6 +106,7 @@ enum class PassKind : std::uint8_t { raster, compute, transfer };
 
 class Persistents;
 class Runner;
+class Uploads;
 
 /// What a pass records with. Images and buffers that it declared are bound already (set 2, in order of declaration).
 class Cmd {
@@ -298,6 +299,14 @@ public:
         std::copy(bytes.begin(), bytes.end(), copy.begin());
         return std::bit_cast<T>(copy);
     }
+    /// A buffer of the frame that holds a copy of these items; its memory may be longer. Throws std::logic_error in a
+    /// graph without a runner.
+    template <class T>
+    [[nodiscard]] Buf upload(std::string name, const std::vector<T>& items)
+    {
+        static_assert(std::is_trivially_copyable_v<T>);
+        return upload_bytes(std::move(name), std::as_bytes(std::span(items)));
+    }
     /// A buffer that outlives the frame, such as one the CPU reads afterwards. `initial`: how it was last used.
     [[nodiscard]] Buf import(std::string name, const gpu::Buffer& buffer, Access initial = Access::none);
     /// The same of an image. Its own usage must allow what passes do with it.
@@ -341,12 +350,14 @@ private:
     PassBuilder add(std::string name, PassKind kind);
     void keep(ResourceIndex resource, Access access);
     [[nodiscard]] TexDesc resolved(const std::string& name, TexDesc desc) const;
+    [[nodiscard]] Buf upload_bytes(std::string name, std::span<const std::byte> bytes);
     ResourceIndex add_persistent(PersistentUse use, std::string name);
     Tex add_constant(float value, bool array);
     ResourceIndex add_history(ResourceIndex now, bool& valid);
     void write_note(ResourceIndex resource, std::span<const std::byte> bytes);
     [[nodiscard]] std::span<const std::byte> read_note(ResourceIndex resource) const;
     FrameInfo frame_;
+    Uploads* uploads_ = nullptr; ///< of the frame in flight, if there is a runner
     const Persistents* store_ = nullptr;
     std::uint32_t view_ = 0;  ///< of the store
     std::uint64_t epoch_ = 0; ///< of the store, at the first declaration

@@ -13,7 +13,8 @@
 namespace atrium::graph {
 
 Graph::Graph(Runner& runner, const FrameInfo& frame)
-    : frame_(frame), store_(runner.persistents_.get()), view_(runner.persistents_->view(frame.view))
+    : frame_(frame), uploads_(&runner.slot_.uploads), store_(runner.persistents_.get()),
+      view_(runner.persistents_->view(frame.view))
 {}
 
 Tex Graph::persistent(std::string name, const TexDesc& desc, const PersistentOptions& options)

@@ -12,8 +12,6 @@
 namespace atrium::graph {
 namespace {
 
-constexpr std::uint32_t max_passes = gpu::Descriptors::max_passes;
-
 double ms_since(std::chrono::steady_clock::time_point start)
 {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -22,7 +20,7 @@ double ms_since(std::chrono::steady_clock::time_point start)
 } // namespace
 
 Runner::Runner(const gpu::Device& device, gpu::Descriptors& descriptors, gpu::Pipelines& pipelines)
-    : device_(device), descriptors_(descriptors), pipelines_(pipelines), timers_(device, max_passes),
+    : device_(device), descriptors_(descriptors), pipelines_(pipelines), slot_(device),
       transients_(std::make_unique<Transients>(device)), persistents_(std::make_unique<Persistents>(device))
 {}
 
@@ -201,15 +199,16 @@ RunStats Runner::run(Graph& graph, gpu::TimerMode mode, const gpu::SubmitSync& s
 
     const Running running{graph_, graph};
     create_persistents(graph);
-    timers_.reset();
+    slot_.timers.reset();
     device_.submit([&](VkCommandBuffer cmd) { record(cmd, graph, mode, stats); }, sync);
     commit(graph);
     stats.cpu_ms = ms_since(start) - compile_ms;
     device_.wait();
     stats.wall_ms = ms_since(start) - compile_ms;
     persistents_->release_unused();
+    slot_.uploads.begin();
 
-    const std::vector<gpu::PassTime> times = timers_.read();
+    const std::vector<gpu::PassTime> times = slot_.timers.read();
     for (std::size_t i = 0; i < times.size(); ++i) {
         stats.passes[i].gpu_ms = times[i].ms;
         stats.passes[i].gpu_start_ms = times[i].start_ms;
@@ -225,14 +224,14 @@ void Runner::record(VkCommandBuffer commands, Graph& graph, gpu::TimerMode mode,
         const Pass& pass = graph.passes_[planned.pass];
         device_.begin_label(commands, pass.name);
         issue(commands, planned.barriers);
-        timers_.begin(commands, pass.name, mode);
+        slot_.timers.begin(commands, pass.name, mode);
         bind_resources(commands, pass);
         Cmd cmd(*this, commands);
         cmd.pass_ = &pass;
         if (pass.kind == PassKind::raster) begin_rendering(commands, pass, planned.unstored);
         if (pass.record) pass.record(cmd);
         if (pass.kind == PassKind::raster) vkCmdEndRendering(commands);
-        timers_.end(commands, mode);
+        slot_.timers.end(commands, mode);
         device_.end_label(commands);
         stats.passes.push_back({pass.name, cmd.draws_, cmd.pipeline_binds_, 0});
     }

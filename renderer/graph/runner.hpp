@@ -1,7 +1,7 @@
 #pragma once
 // Runs graphs on a device: plans, places transient resources, issues the plan's barriers, records the passes.
 
-#include "renderer/gpu/timers.hpp"
+#include "renderer/graph/frame_slot.hpp"
 #include "renderer/graph/graph.hpp"
 
 #include <memory>
@@ -63,7 +63,7 @@ private:
     const gpu::Device& device_;
     gpu::Descriptors& descriptors_;
     gpu::Pipelines& pipelines_;
-    gpu::Timers timers_;
+    FrameSlot slot_;
     std::unique_ptr<Transients> transients_;
     std::unique_ptr<Persistents> persistents_;
     std::vector<const PersistentSlot*> slots_; ///< by resource of the graph that runs; null: not persistent

@@ -4,7 +4,6 @@
 #include "tests/rig/device_rig.hpp"
 
 #include <cstring>
-#include <memory>
 #include <vector>
 
 namespace atrium::rig {
@@ -18,10 +17,7 @@ public:
     /// An RGBA32F image with these values, four for each texel.
     [[nodiscard]] graph::Tex upload(graph::Graph& g, uvec2 size, const std::vector<float>& values)
     {
-        const gpu::Buffer& source = buffer(values.size() * sizeof(float), gpu::MemoryUse::upload);
-        std::memcpy(source.mapped().data(), values.data(), values.size() * sizeof(float));
-        source.flush();
-        const graph::Buf from = g.import("uploaded", source);
+        const graph::Buf from = g.upload("uploaded", values);
         const graph::Tex to = g.texture("picture", {gpu::Format::rgba32_float, size.x, size.y});
         g.transfer("upload").reads(from).writes(to).record([=](graph::Cmd& cmd) { cmd.copy(from, to); });
         return to;
@@ -38,7 +34,8 @@ public:
     {
         const uvec2 size = g.size(image, mip);
         std::vector<float> out(std::size_t{4} * size.x * size.y);
-        const gpu::Buffer& target = buffer(out.size() * sizeof(float), gpu::MemoryUse::readback);
+        const gpu::Buffer target(device().device, "numbers", out.size() * sizeof(float),
+                                 VK_BUFFER_USAGE_TRANSFER_DST_BIT, gpu::MemoryUse::readback);
         const graph::Buf to = g.import("read back", target);
         g.keep(to, gpu::Access::host_read);
         g.transfer("read back").reads_mip(image, mip).writes(to).record([=](graph::Cmd& cmd) {
@@ -47,18 +44,8 @@ public:
         static_cast<void>(runner.run(g));
         target.invalidate();
         std::memcpy(out.data(), target.mapped().data(), out.size() * sizeof(float));
-        buffers_.clear();
         return out;
     }
-
-private:
-    const gpu::Buffer& buffer(std::uint64_t bytes, gpu::MemoryUse use)
-    {
-        constexpr VkBufferUsageFlags usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
-        buffers_.push_back(std::make_unique<gpu::Buffer>(device().device, "numbers", bytes, usage, use));
-        return *buffers_.back();
-    }
-    std::vector<std::unique_ptr<gpu::Buffer>> buffers_;
 };
 
 } // namespace atrium::rig

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 #include <numeric>
 
 namespace atrium {
@@ -20,8 +19,6 @@ using gpu::Access;
 
 constexpr std::uint64_t sample_seed = 213; // the filter's, the next, is among the most even of 300 at 8 to 64 samples
 constexpr std::uint32_t reference_passes = 3600; ///< of all that a frame may have
-constexpr std::uint64_t reference_face_bytes =
-    reference_passes / 2 * shared::shadow_max_faces * sizeof(shared::ShadowFace);
 
 std::uint32_t cells_along(std::uint32_t side)
 {
@@ -123,18 +120,6 @@ std::uint64_t range_bytes(std::uint32_t side, std::uint32_t faces)
     return faces * cells * cells * 4 / 3 * sizeof(vec2) + sizeof(vec2);
 }
 
-gpu::Buffer make_buffer(const gpu::Device& device, const char* name, std::uint64_t bytes)
-{
-    return {device, name, bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::MemoryUse::upload};
-}
-
-template <class T>
-void write(gpu::Buffer& buffer, const std::vector<T>& items)
-{
-    std::memcpy(buffer.mapped().data(), items.data(), items.size() * sizeof(T));
-    buffer.flush();
-}
-
 /// The pipeline that draws casters of a class.
 std::optional<gpu::GraphicsPipelineDesc> caster_pipeline(const MaterialClassInfo& cls)
 {
@@ -154,7 +139,7 @@ void ShadowMaps::tell(const std::string& text)
     told_ = text;
 }
 
-void ShadowMaps::write_samples(const ShadowSettings& s)
+void ShadowMaps::make_samples(const ShadowSettings& s)
 {
     const std::array counts{static_cast<std::uint32_t>(s.blocker_samples), static_cast<std::uint32_t>(s.samples)};
     if (counts == sample_counts_) return;
@@ -171,32 +156,26 @@ void ShadowMaps::write_samples(const ShadowSettings& s)
         return all;
     };
     const auto seed = [](std::uint32_t set) { return set == shared::set_search ? sample_seed : sample_seed + 1; };
-    const std::vector<vec4> disc = all_of([&](std::uint32_t set, int count) {
+    disc_samples_ = all_of([&](std::uint32_t set, int count) {
         if (set == shared::set_search_narrow || set == shared::set_filter_narrow) return spiral_samples(count);
         std::vector<vec2> even = disc_samples(count, seed(set));
         even_out(even);
         return even;
     });
-    std::vector<vec4> square = all_of([&](std::uint32_t set, int count) {
+    square_samples_ = all_of([&](std::uint32_t set, int count) {
         return set == shared::set_search ? square_samples(count, seed(set)) : lattice_samples(count);
     });
-    for (vec4& at : square) at = at * 0.5f + 0.5f; // 0 to 1: shifted there
-    disc_samples_ = make_buffer(device_, "disc samples", disc.size() * sizeof(vec4));
-    square_samples_ = make_buffer(device_, "square samples", square.size() * sizeof(vec4));
-    write(disc_samples_, disc);
-    write(square_samples_, square);
-}
-
-void ShadowMaps::write_faces(const std::vector<LightFaces>& all)
-{
-    std::vector<shared::ShadowFace> table;
-    for (const LightFaces& own : all) table.insert(table.end(), own.faces.begin(), own.faces.end());
-    const std::uint64_t bytes = table.size() * sizeof(shared::ShadowFace);
-    if (faces_.size() < bytes) faces_ = make_buffer(device_, "shadow faces", bytes);
-    write(faces_, table);
+    for (vec4& at : square_samples_) at = at * 0.5f + 0.5f; // 0 to 1: shifted there
 }
 
 namespace {
+
+graph::Buf upload_faces(graph::Graph& g, const char* name, const std::vector<LightFaces>& all)
+{
+    std::vector<shared::ShadowFace> table;
+    for (const LightFaces& own : all) table.insert(table.end(), own.faces.begin(), own.faces.end());
+    return g.upload(name, table);
+}
 
 /// One tile of a map to be drawn: its face, and where the commands of its casters begin.
 struct Tile {
@@ -306,11 +285,10 @@ ShadowMapSet ShadowMaps::add(graph::Graph& g, const ShadowCasters& casters, cons
     for (const std::uint32_t i : shadowed)
         all.push_back(light_faces(lights[i], casters.bounds, {view.camera, view.aspect, s.cascades, side},
                                   extent_of(lights[i], s)));
-    write_faces(all);
-    write_samples(s);
-    out.faces = g.import("shadow.faces", faces_);
-    out.disc_samples = g.import("shadow.disc_samples", disc_samples_);
-    out.square_samples = g.import("shadow.square_samples", square_samples_);
+    make_samples(s);
+    out.faces = upload_faces(g, "shadow.faces", all);
+    out.disc_samples = g.upload("shadow.disc_samples", disc_samples_);
+    out.square_samples = g.upload("shadow.square_samples", square_samples_);
 
     std::uint32_t first_face = 0;
     for (std::size_t k = 0; k < shadowed.size(); ++k) {
@@ -350,40 +328,45 @@ graph::Tex ShadowMaps::add_reference(graph::Graph& g, graph::Tex depth, graph::T
     hard.filter = ShadowFilter::hard;
     const float weight = 1 / static_cast<float>(points);
 
-    std::vector<shared::ShadowFace> table;
+    std::vector<Light> moved; // each light at each of its points
+    std::vector<LightFaces> all;
+    for (const ShadowMap& map : set.maps) {
+        const CascadeFit fit{view.camera, view.aspect, s.cascades, map.side};
+        for (std::uint32_t p = 0; p < points; ++p) {
+            moved.push_back(at_point(lights.lights[map.light], s.softness, p));
+            all.push_back(light_faces(moved.back(), casters.bounds, fit, 0));
+        }
+    }
     ShadowMapSet moved_set = set;
-    if (!reference_faces_.handle() || reference_faces_.size() < reference_face_bytes)
-        reference_faces_ = make_buffer(device_, "reference shadow faces", reference_face_bytes);
-    moved_set.faces = g.import("shadow.reference.faces", reference_faces_);
+    moved_set.faces = upload_faces(g, "shadow.reference.faces", all);
+
+    std::uint32_t first_face = 0;
     for (std::uint32_t k = 0; k < light_count; ++k) {
         const std::uint32_t index = set.maps[k].light, side = set.maps[k].side;
         const Light& light = lights.lights[index];
         const std::string name = fmt::format("shadow.{}.reference", index);
         const graph::Tex map_image = g.texture(name, {gpu::Format::depth32, side * set.maps[k].face_count, side});
         const float extent = light_extent(light, s.softness);
-        const CascadeFit fit{view.camera, view.aspect, s.cascades, side};
         std::vector<std::uint32_t> every(set.maps[k].face_count);
         std::iota(every.begin(), every.end(), 0u);
         graph::Buf commands;
         for (std::uint32_t p = 0; p < points; ++p) {
-            const Light moved = at_point(light, s.softness, p);
-            const LightFaces faces = light_faces(moved, casters.bounds, fit, 0);
-            ShadowMap map = describe_map(index, faces, side, static_cast<std::uint32_t>(table.size()));
+            const LightFaces& faces = all[k * points + p];
+            ShadowMap map = describe_map(index, faces, side, first_face);
+            first_face += map.face_count;
             map.map = map_image;
             map.ranges = set.maps[k].ranges;
-            table.insert(table.end(), faces.faces.begin(), faces.faces.end());
             const std::vector<Tile> tiles = tiles_of(faces, every, casters.tasks.count);
             if (p == 0) {
                 const float reach = light.type == LightType::sun ? 2 * extent * casters.bounds.diagonal() : 2 * extent;
                 commands = add_caster_culling(g, name, casters, map, tiles, light.range, reach);
             }
             add_tiles(g, name, casters, map, commands, tiles);
-            add_visibility(g, depth, normal, moved_set, map, moved, hard, shared::show_visibility,
+            add_visibility(g, depth, normal, moved_set, map, moved[k * points + p], hard, shared::show_visibility,
                            {fmt::format("visibility.{}", index), visibility, k,
                             p == 0 ? graph::Load::clear : graph::Load::keep, weight, light.position});
         }
     }
-    write(reference_faces_, table);
     return visibility;
 }
 

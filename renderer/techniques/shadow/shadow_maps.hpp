@@ -35,12 +35,11 @@ public:
 
 private:
     void tell(const std::string& text);
-    void write_samples(const ShadowSettings& s);
-    void write_faces(const std::vector<LightFaces>& all);
+    void make_samples(const ShadowSettings& s);
 
     const gpu::Device& device_;
-    gpu::Buffer faces_, disc_samples_, square_samples_, reference_faces_;
-    std::array<std::uint32_t, 2> sample_counts_{}; ///< as set, of those in the buffers
+    std::vector<vec4> disc_samples_, square_samples_;
+    std::array<std::uint32_t, 2> sample_counts_{}; ///< as set, of those samples
     std::string told_; ///< what was said last of maps that are smaller or fewer than asked for
 };
 
