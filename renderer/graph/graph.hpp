@@ -302,10 +302,10 @@ public:
     /// A buffer of the frame that holds a copy of these items; its memory may be longer. Throws std::logic_error in a
     /// graph without a runner.
     template <class T>
-    [[nodiscard]] Buf upload(std::string name, const std::vector<T>& items)
+    [[nodiscard]] Buf upload(const std::string& name, const std::vector<T>& items)
     {
         static_assert(std::is_trivially_copyable_v<T>);
-        return upload_bytes(std::move(name), std::as_bytes(std::span(items)));
+        return upload_bytes(name, std::as_bytes(std::span(items)));
     }
     /// A buffer that outlives the frame, such as one the CPU reads afterwards. `initial`: how it was last used.
     [[nodiscard]] Buf import(std::string name, const gpu::Buffer& buffer, Access initial = Access::none);
