@@ -57,6 +57,8 @@ void write_png(const std::filesystem::path& file, const Image8& image, const Ima
 void write_exr(const std::filesystem::path& file, const ImageF& image, const ImageMetadata& metadata = {});
 
 /// Throw Error(input) on a missing, damaged or unsupported file.
+/// The stored values of a PNG of 8 or 16 bits over their maximum: 0 to 1.
+[[nodiscard]] ImageF read_png_values(const std::filesystem::path& file);
 [[nodiscard]] Image8 read_png(const std::filesystem::path& file, ImageMetadata* metadata = nullptr);
 [[nodiscard]] ImageF read_exr(const std::filesystem::path& file, ImageMetadata* metadata = nullptr);
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <csetjmp>
 #include <cstring>
+#include <limits>
 #include <new>
 
 #include <fmt/format.h>
@@ -116,8 +117,10 @@ void on_read(png_structp png, png_bytep data, std::size_t size)
     d->rest = d->rest.subspan(size);
 }
 
-/// Up to the first pixel, and every colour type turned to 8-bit grey, RGB or RGBA.
-bool read_head(Decoder& d)
+enum class Depth { eight_bits, as_stored };
+
+/// Up to the first pixel, and every colour type turned to grey, RGB or RGBA: 8-bit, or where stored so and wanted, 16.
+bool read_head(Decoder& d, Depth depth)
 {
     if (setjmp(png_jmpbuf(d.png)) != 0) return false; // NOLINT(cert-err52-cpp): libpng's interface
     png_set_read_fn(d.png, &d, on_read);
@@ -127,7 +130,10 @@ bool read_head(Decoder& d)
     png_set_crc_action(d.png, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
     png_read_info(d.png, d.info);
     png_set_expand(d.png);
-    png_set_scale_16(d.png);
+    if (depth == Depth::eight_bits)
+        png_set_scale_16(d.png);
+    else
+        png_set_swap(d.png); // to little-endian
     const int color_type = png_get_color_type(d.png, d.info);
     const bool transparent = png_get_valid(d.png, d.info, PNG_INFO_tRNS) != 0;
     if (color_type == PNG_COLOR_TYPE_GRAY_ALPHA || (color_type == PNG_COLOR_TYPE_GRAY && transparent)) {
@@ -178,18 +184,55 @@ void write_png(const std::filesystem::path& file, const Image8& image, const Ima
     out.commit();
 }
 
+namespace {
+
+/// Reads the head and refuses sizes that the file cannot hold.
+void begin(Decoder& d, const std::filesystem::path& file, std::span<const std::byte> bytes, Depth depth)
+{
+    d.rest = bytes;
+    if (!read_head(d, depth)) refuse(file, d.reason.text.data());
+    const std::uint64_t width = png_get_image_width(d.png, d.info), height = png_get_image_height(d.png, d.info);
+    if (png_get_rowbytes(d.png, d.info) * height > free_bytes + max_expansion * bytes.size())
+        refuse(file, fmt::format("{} bytes cannot hold its {} x {} pixels", bytes.size(), width, height));
+}
+
+template <class T>
+ImageF over_maximum(int width, int height, int channels, const std::vector<T>& values)
+{
+    ImageF out(width, height, channels);
+    constexpr float maximum = std::numeric_limits<T>::max();
+    for (std::size_t i = 0; i < values.size(); ++i) out.values[i] = static_cast<float>(values[i]) / maximum;
+    return out;
+}
+
+} // namespace
+
+ImageF read_png_values(const std::filesystem::path& file)
+{
+    const MappedFile mapped(file);
+    Decoder d;
+    begin(d, file, mapped.bytes(), Depth::as_stored);
+    const auto width = static_cast<int>(png_get_image_width(d.png, d.info));
+    const auto height = static_cast<int>(png_get_image_height(d.png, d.info));
+    const int channels = png_get_channels(d.png, d.info);
+    if (png_get_bit_depth(d.png, d.info) != 16) {
+        const Image8 image = read_png(file);
+        return over_maximum(width, height, channels, image.values);
+    }
+    const std::size_t row = static_cast<std::size_t>(width) * static_cast<std::size_t>(channels);
+    std::vector<std::uint16_t> values(row * static_cast<std::size_t>(height));
+    for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y)
+        d.rows.push_back(reinterpret_cast<png_bytep>(&values[y * row]));
+    if (!read_rows(d)) refuse(file, d.reason.text.data());
+    return over_maximum(width, height, channels, values);
+}
+
 Image8 read_png(const std::filesystem::path& file, ImageMetadata* metadata)
 {
     const MappedFile mapped(file);
     Decoder d;
-    d.rest = mapped.bytes();
-    if (!read_head(d)) refuse(file, d.reason.text.data());
-
+    begin(d, file, mapped.bytes(), Depth::eight_bits);
     const std::uint64_t width = png_get_image_width(d.png, d.info), height = png_get_image_height(d.png, d.info);
-    const std::uint64_t row_bytes = png_get_rowbytes(d.png, d.info);
-    if (row_bytes * height > free_bytes + max_expansion * mapped.bytes().size()) {
-        refuse(file, fmt::format("{} bytes cannot hold its {} x {} pixels", mapped.bytes().size(), width, height));
-    }
     Image8 image(static_cast<int>(width), static_cast<int>(height), png_get_channels(d.png, d.info));
     for (int y = 0; y < image.height; ++y) d.rows.push_back(image.at(0, y));
     if (!read_rows(d)) refuse(file, d.reason.text.data());

@@ -18,6 +18,7 @@ const std::map<std::string, std::set<std::string>>& allowed()
 {
     static const std::map<std::string, std::set<std::string>> table{
         {"renderer/core", {}},
+        {"renderer/metrics", {"renderer/core"}},
         {"renderer/scene", {"renderer/core"}},
         {"renderer/gpu", {"renderer/core"}},
         {"renderer/graph", {"renderer/core", "renderer/gpu", "shaders"}},
@@ -29,8 +30,8 @@ const std::map<std::string, std::set<std::string>>& allowed()
           "renderer/techniques", "shaders"}},
         {"assetconv", {"renderer/core", "renderer/scene"}},
         {"app",
-         {"app/gui", "renderer", "renderer/core", "renderer/scene", "renderer/gpu", "renderer/graph",
-          "renderer/materials", "renderer/techniques", "shaders"}},
+         {"app/gui", "renderer", "renderer/core", "renderer/metrics", "renderer/scene", "renderer/gpu",
+          "renderer/graph", "renderer/materials", "renderer/techniques", "shaders"}},
         {"app/gui", {"app", "renderer", "renderer/core", "renderer/scene", "shaders"}},
         {"shaders", {"renderer/core", "shaders"}},
     };
