@@ -15,6 +15,8 @@ using Run = std::function<int()>;
 [[nodiscard]] Run add_render_command(CLI::App& app);
 [[nodiscard]] Run add_view_command(CLI::App& app);
 [[nodiscard]] Run add_bench_command(CLI::App& app);
+[[nodiscard]] Run add_compare_command(CLI::App& app);
+[[nodiscard]] Run add_upscale_command(CLI::App& app);
 [[nodiscard]] Run add_settings_command(CLI::App& app);
 [[nodiscard]] Run add_devices_command(CLI::App& app);
 

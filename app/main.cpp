@@ -36,7 +36,8 @@ int run(int argc, char** argv)
                "`atrium COMMAND --help` tells more.");
     const std::array commands{
         std::pair{"render", app::add_render_command(cli)},   std::pair{"view", app::add_view_command(cli)},
-        std::pair{"bench", app::add_bench_command(cli)},     std::pair{"settings", app::add_settings_command(cli)},
+        std::pair{"bench", app::add_bench_command(cli)},     std::pair{"upscale", app::add_upscale_command(cli)},
+        std::pair{"compare", app::add_compare_command(cli)}, std::pair{"settings", app::add_settings_command(cli)},
         std::pair{"devices", app::add_devices_command(cli)},
     };
     for (CLI::App* command : cli.get_subcommands({})) {

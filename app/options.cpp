@@ -119,27 +119,37 @@ void check_command(const CLI::App& app, std::span<const char* const> arguments)
 
 } // namespace
 
+void add_device_options(CLI::App& command, SceneOptions& o)
+{
+    command.add_option("--device", o.device, "device by name or index (see `atrium devices`)");
+    command.add_flag("--validate", o.validate, "Khronos validation with synchronisation checks; a message ends with 5");
+}
+
+CLI::Option* add_size_option(CLI::App& command, std::optional<uvec2>& size, const std::string& help)
+{
+    return command.add_option_function<std::string>(
+        "--size",
+        [&size](const std::string& text) {
+            const auto wh = parse_numbers<std::uint32_t, 2>(text, 'x');
+            if (!wh || (*wh)[0] < 1 || (*wh)[1] < 1 || (*wh)[0] > 16384 || (*wh)[1] > 16384) {
+                throw CLI::ValidationError("--size", fmt::format("takes WxH, each 1 to 16384, not \"{}\"", text));
+            }
+            size = uvec2((*wh)[0], (*wh)[1]);
+        },
+        help);
+}
+
 void add_scene_options(CLI::App& command, SceneOptions& o)
 {
     command.add_option("SCENE", o.scene, "a bake (.atrium), a scene file (.toml), or an OBJ (baked first)")->required();
-    command.add_option("--device", o.device, "device by name or index (see `atrium devices`)");
-    command.add_flag("--validate", o.validate, "Khronos validation with synchronisation checks; a message ends with 5");
+    add_device_options(command, o);
     command.add_option("--bake-scale", o.bake_scale, "scale when SCENE is an OBJ")->check(CLI::PositiveNumber);
     command.add_option("--bake-up", o.bake_up, "up axis when SCENE is an OBJ")->check(CLI::IsMember({"y", "z"}));
 }
 
 void add_frame_options(CLI::App& command, FrameOptions& o)
 {
-    command.add_option_function<std::string>(
-        "--size",
-        [&o](const std::string& text) {
-            const auto wh = parse_numbers<std::uint32_t, 2>(text, 'x');
-            if (!wh || (*wh)[0] < 1 || (*wh)[1] < 1 || (*wh)[0] > 16384 || (*wh)[1] > 16384) {
-                throw CLI::ValidationError("--size", fmt::format("takes WxH, each 1 to 16384, not \"{}\"", text));
-            }
-            o.size = uvec2((*wh)[0], (*wh)[1]);
-        },
-        "picture size WxH (1280x720)");
+    add_size_option(command, o.size, "picture size WxH (1280x720)");
     command.add_option("--camera", o.camera, "a camera of the scene file");
     CLI::Option* eye = add_vector(command, "--eye", o.eye, "camera position X,Y,Z, m");
     CLI::Option* target = add_vector(command, "--target", o.target, "point looked at X,Y,Z, m");

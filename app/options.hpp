@@ -10,7 +10,8 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+} // namespace CLI
 
 namespace atrium::app {
 
@@ -39,7 +40,9 @@ struct FrameOptions {
     std::optional<double> time;
 };
 
+void add_device_options(CLI::App& command, SceneOptions& o); ///< a part of the scene options
 void add_scene_options(CLI::App& command, SceneOptions& o);
+CLI::Option* add_size_option(CLI::App& command, std::optional<uvec2>& size, const std::string& help);
 void add_frame_options(CLI::App& command, FrameOptions& o);
 
 /// Parses the command line; throws Error(usage) that names the nearest option, or returns an exit code when --help or
