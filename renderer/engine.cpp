@@ -82,8 +82,7 @@ struct Engine::State {
           frame(device, descriptors), kept_readbacks(device), shadow_maps(device), ui(device),
           ltc(device, "ltc", ltc_table().size_bytes(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::MemoryUse::upload)
     {
-        std::memcpy(ltc.mapped().data(), ltc_table().data(), ltc_table().size_bytes());
-        ltc.flush();
+        ltc.write(ltc_table());
         descriptors.set_frame_buffer(gpu::FrameBinding::ltc, ltc);
         if (o.window) swapchain = std::make_unique<gpu::Swapchain>(instance, device, o.window);
     }

@@ -1,7 +1,6 @@
 #include "renderer/frame_resources.hpp"
 
 #include <algorithm>
-#include <cstring>
 
 namespace atrium {
 namespace {
@@ -52,17 +51,6 @@ std::span<const std::byte> bytes_in(const gpu::Buffer& buffer)
     return buffer.mapped();
 }
 
-namespace {
-
-template <class T>
-void fill(const gpu::Buffer& buffer, std::span<const T> items)
-{
-    std::memcpy(buffer.mapped().data(), items.data(), items.size_bytes());
-    buffer.flush();
-}
-
-} // namespace
-
 FrameResources::FrameResources(const gpu::Device& device, gpu::Descriptors& descriptors)
     : readbacks(device), device_(device), descriptors_(descriptors),
       constants_(device, "frame constants", sizeof(shared::FrameConstants), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
@@ -92,7 +80,7 @@ void FrameResources::set_scene(const GpuScene* scene)
 
 void FrameResources::write(const shared::FrameConstants& values)
 {
-    fill(constants_, std::span(&values, 1));
+    constants_.write(std::span(&values, 1));
 }
 
 void FrameResources::write(const GpuScene& scene)
@@ -101,8 +89,8 @@ void FrameResources::write(const GpuScene& scene)
     draw_order_.flush();
     if (scene_version_ == scene.version()) return;
     scene_version_ = scene.version();
-    fill(materials_, scene.packed_materials());
-    fill(records_, scene.records());
+    materials_.write(scene.packed_materials());
+    records_.write(scene.records());
 }
 
 } // namespace atrium

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -41,15 +40,14 @@ gpu::Format gpu_format(TextureFormat f)
     return gpu::Format::none;
 }
 
-/// A table that shaders read; written once. `fill` gets its mapped bytes.
+/// A table that shaders read.
 template <class T>
 gpu::Buffer make_table(const gpu::Device& device, const char* name, std::span<const T> items)
 {
     const std::uint64_t bytes = std::max<std::uint64_t>(items.size_bytes(), sizeof(T));
     gpu::Buffer buffer(device, name, bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT,
                        gpu::MemoryUse::upload);
-    std::memcpy(buffer.mapped().data(), items.data(), items.size_bytes());
-    buffer.flush();
+    buffer.write(items);
     return buffer;
 }
 

@@ -7,19 +7,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <tuple>
 
 namespace atrium {
 namespace {
-
-template <class T>
-void refill(gpu::Buffer& buffer, const std::vector<T>& items)
-{
-    if (items.empty()) return;
-    std::memcpy(buffer.mapped().data(), items.data(), items.size() * sizeof(T));
-    buffer.flush();
-}
 
 bool covers_alike(const Material& a, const Material& b)
 {
@@ -43,7 +34,7 @@ bool GpuScene::override_materials(std::span<const MaterialOverride> overrides)
     ++version_;
     if (alike) return false;
     classify();
-    refill(whole_meshes_, whole_commands_);
+    whole_meshes_.write(std::span<const shared::DrawCommand>(whole_commands_));
     return true;
 }
 

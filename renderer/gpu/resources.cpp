@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace atrium::gpu {
@@ -55,6 +56,12 @@ Buffer& Buffer::operator=(Buffer&& other) noexcept
     std::swap(mapped_, other.mapped_);
     std::swap(size_, other.size_);
     return *this;
+}
+
+void Buffer::write(std::span<const std::byte> bytes) const
+{
+    std::copy(bytes.begin(), bytes.end(), mapped().begin());
+    flush();
 }
 
 void Buffer::flush() const

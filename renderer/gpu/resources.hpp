@@ -37,6 +37,13 @@ public:
     {
         return {static_cast<std::byte*>(mapped_), mapped_ ? size_ : 0};
     }
+    /// Copies to the start of the mapped memory, and flushes.
+    void write(std::span<const std::byte> bytes) const;
+    template <class T>
+    void write(std::span<const T> items) const
+    {
+        write(std::as_bytes(items));
+    }
     void flush() const;      ///< after the CPU wrote
     void invalidate() const; ///< before the CPU reads
 

@@ -69,8 +69,7 @@ Buf Graph::upload_bytes(std::string name, std::span<const std::byte> bytes)
 {
     if (!uploads_) throw std::logic_error(fmt::format("graph: \"{}\" is uploaded, and there is no runner", name));
     const gpu::Buffer& buffer = uploads_->next(bytes.size());
-    std::copy(bytes.begin(), bytes.end(), buffer.mapped().begin());
-    buffer.flush();
+    buffer.write(bytes);
     return import(std::move(name), buffer);
 }
 

@@ -168,13 +168,19 @@ void Runner::commit(const Graph& graph)
 
 namespace {
 
-/// Sets the running graph and clears it at the end of the scope, also when an exception is thrown.
+/// Sets the running graph. At the end of the scope, also when an exception is thrown, there is none, and its uploads
+/// have been used.
 struct Running {
-    Running(const Graph*& now, const Graph& graph) : running(now) { running = &graph; }
-    ~Running() { running = nullptr; }
+    Running(const Graph*& now, const Graph& graph, Uploads& used) : running(now), uploads(used) { running = &graph; }
+    ~Running()
+    {
+        running = nullptr;
+        uploads.begin();
+    }
     Running(const Running&) = delete;
     Running& operator=(const Running&) = delete;
     const Graph*& running;
+    Uploads& uploads;
 };
 
 } // namespace
@@ -183,6 +189,7 @@ RunStats Runner::run(Graph& graph, gpu::TimerMode mode, const gpu::SubmitSync& s
 {
     if (!graph.persistents_.empty() && graph.epoch_ != persistents_->epoch())
         throw std::logic_error("other graphs have run since this graph with persistent resources was declared");
+    const Running running{graph_, graph, slot_.uploads};
     RunStats stats;
     const auto start = std::chrono::steady_clock::now();
     transients_->create(graph.resources_.size(), [&](ResourceIndex i) {
@@ -197,7 +204,6 @@ RunStats Runner::run(Graph& graph, gpu::TimerMode mode, const gpu::SubmitSync& s
     prepare_pipelines(graph);
     const double compile_ms = ms_since(planned);
 
-    const Running running{graph_, graph};
     create_persistents(graph);
     slot_.timers.reset();
     device_.submit([&](VkCommandBuffer cmd) { record(cmd, graph, mode, stats); }, sync);
@@ -206,7 +212,6 @@ RunStats Runner::run(Graph& graph, gpu::TimerMode mode, const gpu::SubmitSync& s
     device_.wait();
     stats.wall_ms = ms_since(start) - compile_ms;
     persistents_->release_unused();
-    slot_.uploads.begin();
 
     const std::vector<gpu::PassTime> times = slot_.timers.read();
     for (std::size_t i = 0; i < times.size(); ++i) {
