@@ -55,13 +55,21 @@ ImageF to_colors(const ImageF& image)
     return out;
 }
 
-Picture read_picture(const fs::path& file)
+enum class Kind { png, exr, other };
+
+Kind kind_of(const fs::path& file)
 {
     std::string extension = file.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return std::tolower(c); });
-    if (extension == ".png") return {to_colors(read_png_values(file)), false};
-    if (extension == ".exr") return {to_colors(read_exr(file)), true};
+    return extension == ".png" ? Kind::png : extension == ".exr" ? Kind::exr : Kind::other;
+}
+
+Picture read_picture(const fs::path& file)
+{
+    const Kind kind = kind_of(file);
+    if (kind == Kind::png) return {to_colors(read_png_values(file)), false};
+    if (kind == Kind::exr) return {to_colors(read_exr(file)), true};
     throw Error(ExitCode::input, fmt::format("cannot compare \"{}\"", file.string()), file.string(),
                 "its name ends neither in .png nor in .exr",
                 "give two PNG or two EXR pictures, or two folders of them");
@@ -126,8 +134,7 @@ std::vector<fs::path> common_names(const fs::path& reference, const fs::path& te
     std::vector<fs::path> names;
     std::size_t alone = 0;
     for (const fs::directory_entry& entry : fs::directory_iterator(reference)) {
-        const fs::path extension = entry.path().extension();
-        if (extension != ".png" && extension != ".exr") continue;
+        if (kind_of(entry.path()) == Kind::other) continue;
         if (fs::exists(test / entry.path().filename()))
             names.push_back(entry.path().filename());
         else

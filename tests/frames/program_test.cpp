@@ -99,11 +99,62 @@ TEST(program, version_is_quick_and_every_command_has_help)
     EXPECT_EQ(atrium({"--version"}).code, 0);
     EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
               0.5); // 0.05 without sanitizers
-    for (const char* command : {"render", "bench", "settings", "devices"}) {
+    for (const char* command : {"render", "bench", "compare", "upscale", "settings", "devices"}) {
         const Outcome help = atrium({command, "--help"});
         EXPECT_EQ(help.code, 0);
         EXPECT_NE(help.output.find("Example"), std::string::npos) << command;
     }
+}
+
+/// A picture of vertical stripes, 24 x 16.
+std::string stripes(const std::string& name, int contrast)
+{
+    Image8 image(24, 16, 3, 100);
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; x += 2)
+            std::fill_n(image.at(x, y), 3, static_cast<std::uint8_t>(100 + contrast));
+    }
+    const std::filesystem::path file = in_folder(name);
+    std::filesystem::create_directories(file.parent_path());
+    write_png(file, image);
+    return file.string();
+}
+
+TEST(program, compares_pairs_and_folders)
+{
+    const std::string a = stripes("compare-a/1.png", 40), b = stripes("compare-b/1.png", 90);
+    static_cast<void>(stripes("compare-a/2.PNG", 40));
+    static_cast<void>(stripes("compare-b/2.PNG", 40));
+    EXPECT_EQ(atrium({"compare", a, a, "--fail-above", "0"}).code, 0);
+    EXPECT_EQ(atrium({"compare", a, b, "--fail-above", "0"}).code, 1);
+    EXPECT_EQ(atrium({"compare", a, b, "--metric", "ssim", "--fail-below", "0.999"}).code, 1);
+    const std::string heat = in_folder("heat.png").string();
+    EXPECT_EQ(atrium({"compare", a, b, "--diff", heat}).code, 0);
+    EXPECT_EQ(read_png(heat).width, 24);
+
+    const std::vector<std::string> folders{"compare", in_folder("compare-a").string(), in_folder("compare-b").string()};
+    const Outcome both = atrium(folders);
+    EXPECT_EQ(both.code, 0);
+    for (const char* row : {"1.png", "2.PNG", "mean"})
+        EXPECT_NE(both.output.find(row), std::string::npos) << both.output;
+    Image8 small(5, 5, 3);
+    write_png(in_folder("small.png"), small);
+    const Outcome sizes = atrium({"compare", a, in_folder("small.png").string()});
+    EXPECT_EQ(sizes.code, 3);
+    EXPECT_NE(sizes.output.find("24 x 16"), std::string::npos) << sizes.output;
+}
+
+TEST(program, upscales_a_picture)
+{
+    const std::string small = stripes("stripes.png", 40), large = in_folder("large.png").string();
+    for (const char* method : {"fsr1", "bilinear", "catmullrom", "lanczos"}) {
+        EXPECT_EQ(atrium({"upscale", small, "-o", large, "--ratio", "1.5", "--method", method, "--validate"}).code, 0);
+        const Image8 picture = read_png(large);
+        EXPECT_EQ(uvec2(picture.width, picture.height), uvec2(36, 24)) << method;
+    }
+    EXPECT_EQ(atrium({"upscale", small, "-o", large, "--ratio", "1", "--sharpness", "off"}).code, 0);
+    EXPECT_EQ(read_png(large).values, read_png(small).values);
+    EXPECT_EQ(atrium({"upscale", small, "-o", large, "--ratio", "5"}).code, 2);
 }
 
 TEST(program, wrong_use_ends_with_2_and_names_the_nearest)
@@ -130,6 +181,10 @@ TEST(program, wrong_use_ends_with_2_and_names_the_nearest)
         {{"render", court(), "-o", png, "--camera", "nave"}, "camera"},
         {{"render", court(), "-o", png, "--preset", "referense"}, "reference"},
         {{"render", court(), "-o", png, "--frames", "0"}, "--frames"},
+        {{"compare", "a.png", "b.png", "--fail-below", "1"}, "--metric"},
+        {{"upscale", "a.png", "-o", png}, "--ratio"},
+        {{"upscale", "a.png", "-o", png, "--ratio", "2", "--sharpness", "x"}, "--sharpness"},
+        {{"upscale", "a.png", "-o", "a.png", "--ratio", "2"}, "a.png"},
     };
     for (const auto& [arguments, word] : cases) {
         const Outcome outcome = atrium(arguments);

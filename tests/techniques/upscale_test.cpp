@@ -72,39 +72,35 @@ void expect_color(const Color& got, const std::array<double, 3>& wanted, const c
     for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(got[c], 255 * wanted[c], 1.0) << what << ", channel " << c;
 }
 
-/// A dark area with a steep edge on a light one, grey.
-Bytes patch_a()
-{
-    constexpr std::array<std::array<int, 8>, 8> values{{{20, 20, 188, 230, 230, 230, 230, 230},
-                                                        {20, 20, 93, 230, 230, 230, 230, 230},
-                                                        {20, 20, 20, 209, 230, 230, 230, 230},
-                                                        {20, 20, 20, 114, 230, 230, 230, 230},
-                                                        {20, 20, 20, 20, 230, 230, 230, 230},
-                                                        {20, 20, 20, 20, 135, 230, 230, 230},
-                                                        {20, 20, 20, 20, 41, 230, 230, 230},
-                                                        {20, 20, 20, 20, 20, 157, 230, 230}}};
-    return {uvec2(8), [&](std::uint32_t x, std::uint32_t y) {
-                return Color{values[y][x], values[y][x], values[y][x]};
-            }};
-}
+using Patch = std::array<std::array<int, 8>, 8>; ///< RRGGBB
 
-/// Colours that have nothing to do with each other.
-Bytes patch_b()
+Bytes picture(const Patch& patch)
 {
-    constexpr std::array<std::array<int, 8>, 8> values{
-        {{0x0FC9A2, 0x8DCB3E, 0xDD55F7, 0x515B63, 0x53CD2F, 0x17E95F, 0x35CABA, 0xC2BD9A},
-         {0xF821C5, 0x5CACDE, 0x73FA34, 0xB52429, 0x0AE02E, 0x297556, 0x425A55, 0x63A31D},
-         {0x8C2F8C, 0xC15713, 0xF66475, 0x00FF76, 0xBA165F, 0x08B0CF, 0x55340D, 0xCFF044},
-         {0x6FCC6A, 0x71D4AB, 0xB8F9CF, 0x35A4A1, 0x1B15BE, 0x77FB29, 0xA9C404, 0x1B4F71},
-         {0x44125D, 0x783FE2, 0xFDC529, 0x79C8EB, 0x3B7D01, 0x423124, 0x80D19A, 0x26C9A6},
-         {0xE3DCF8, 0x4282C0, 0x9F1DB0, 0x09ECAD, 0x5E6EFF, 0xF388EF, 0x0CC1D1, 0xC837AF},
-         {0x27C1C9, 0x4EE9F5, 0x46C9CC, 0xD5E107, 0x343EC4, 0x51DCE1, 0x9D8D7E, 0xAD0F81},
-         {0x9277DA, 0x734A89, 0x3CDD3E, 0xD736F0, 0xDDCC88, 0x0CA748, 0xA44DCD, 0x1E59F7}}};
     return {uvec2(8), [&](std::uint32_t x, std::uint32_t y) {
-                const int v = values[y][x];
+                const int v = patch[y][x];
                 return Color{v >> 16, (v >> 8) & 255, v & 255};
             }};
 }
+
+/// A dark area with a steep edge on a light one, grey.
+constexpr Patch patch_a{{{0x141414, 0x141414, 0xBCBCBC, 0xE6E6E6, 0xE6E6E6, 0xE6E6E6, 0xE6E6E6, 0xE6E6E6},
+                         {0x141414, 0x141414, 0x5D5D5D, 0xE6E6E6, 0xE6E6E6, 0xE6E6E6, 0xE6E6E6, 0xE6E6E6},
+                         {0x141414, 0x141414, 0x141414, 0xD1D1D1, 0xE6E6E6, 0xE6E6E6, 0xE6E6E6, 0xE6E6E6},
+                         {0x141414, 0x141414, 0x141414, 0x727272, 0xE6E6E6, 0xE6E6E6, 0xE6E6E6, 0xE6E6E6},
+                         {0x141414, 0x141414, 0x141414, 0x141414, 0xE6E6E6, 0xE6E6E6, 0xE6E6E6, 0xE6E6E6},
+                         {0x141414, 0x141414, 0x141414, 0x141414, 0x878787, 0xE6E6E6, 0xE6E6E6, 0xE6E6E6},
+                         {0x141414, 0x141414, 0x141414, 0x141414, 0x292929, 0xE6E6E6, 0xE6E6E6, 0xE6E6E6},
+                         {0x141414, 0x141414, 0x141414, 0x141414, 0x141414, 0x9D9D9D, 0xE6E6E6, 0xE6E6E6}}};
+
+/// Colours that have nothing in common.
+constexpr Patch patch_b{{{0x0FC9A2, 0x8DCB3E, 0xDD55F7, 0x515B63, 0x53CD2F, 0x17E95F, 0x35CABA, 0xC2BD9A},
+                         {0xF821C5, 0x5CACDE, 0x73FA34, 0xB52429, 0x0AE02E, 0x297556, 0x425A55, 0x63A31D},
+                         {0x8C2F8C, 0xC15713, 0xF66475, 0x00FF76, 0xBA165F, 0x08B0CF, 0x55340D, 0xCFF044},
+                         {0x6FCC6A, 0x71D4AB, 0xB8F9CF, 0x35A4A1, 0x1B15BE, 0x77FB29, 0xA9C404, 0x1B4F71},
+                         {0x44125D, 0x783FE2, 0xFDC529, 0x79C8EB, 0x3B7D01, 0x423124, 0x80D19A, 0x26C9A6},
+                         {0xE3DCF8, 0x4282C0, 0x9F1DB0, 0x09ECAD, 0x5E6EFF, 0xF388EF, 0x0CC1D1, 0xC837AF},
+                         {0x27C1C9, 0x4EE9F5, 0x46C9CC, 0xD5E107, 0x343EC4, 0x51DCE1, 0x9D8D7E, 0xAD0F81},
+                         {0x9277DA, 0x734A89, 0x3CDD3E, 0xD736F0, 0xDDCC88, 0x0CA748, 0xA44DCD, 0x1E59F7}}};
 
 /// A thin slanted blue line on light grey.
 Bytes patch_c()
@@ -118,7 +114,7 @@ Bytes patch_c()
 
 TEST(upscale, easu_gives_what_the_original_gives)
 {
-    const Bytes a12 = upscale(patch_a(), uvec2(12)), a16 = upscale(patch_a(), uvec2(16));
+    const Bytes a12 = upscale(picture(patch_a), uvec2(12)), a16 = upscale(picture(patch_a), uvec2(16));
     const auto grey = [](double v) { return std::array{v, v, v}; };
     expect_color(a12.at(5, 3), grey(0.901961), "a12 5 3");
     expect_color(a12.at(6, 6), grey(0.792109), "a12 6 6");
@@ -127,7 +123,7 @@ TEST(upscale, easu_gives_what_the_original_gives)
     expect_color(a16.at(5, 3), grey(0.528569), "a16 5 3");
     expect_color(a16.at(6, 6), grey(0.325166), "a16 6 6");
     expect_color(a16.at(7, 9), grey(0.220993), "a16 7 9");
-    const Bytes b13 = upscale(patch_b(), uvec2(13)), b16 = upscale(patch_b(), uvec2(16));
+    const Bytes b13 = upscale(picture(patch_b), uvec2(13)), b16 = upscale(picture(patch_b), uvec2(16));
     expect_color(b13.at(5, 3), {0.195539, 0.791174, 0.372116}, "b13 5 3");
     expect_color(b13.at(6, 6), {0.249546, 0.500283, 0.527934}, "b13 6 6");
     expect_color(b13.at(11, 4), {0.574391, 0.626839, 0.203811}, "b13 11 4");
