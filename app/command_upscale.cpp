@@ -48,7 +48,7 @@ uvec2 target_size(const Options& o, uvec2 source)
     return size;
 }
 
-/// Stops, or nothing for "off".
+/// Stops; empty for "off".
 std::optional<float> parse_sharpness(const std::string& text)
 {
     if (text == "off") return std::nullopt;

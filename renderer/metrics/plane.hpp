@@ -21,7 +21,7 @@ struct Plane {
     [[nodiscard]] double* row(int y) { return &values[static_cast<std::size_t>(y) * static_cast<std::size_t>(width)]; }
 };
 
-/// An odd number of weights; the middle one stands at the pixel itself.
+/// An odd number of weights; the middle one is that of the pixel itself.
 using Kernel = std::vector<double>;
 
 /// Samples of a function at -radius … radius.

@@ -1,5 +1,5 @@
 #pragma once
-// Enlarges a finished picture: FSR 1, or plain filters to compare it with. README.md beside this file.
+// Enlarges a finished picture: FSR 1, or plain filters to compare it with. See README.md in this folder.
 
 #include "renderer/graph/graph.hpp"
 

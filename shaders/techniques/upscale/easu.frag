@@ -68,7 +68,7 @@ Shape shape_of(Edge edge)
     return s;
 }
 
-/// Weight of a source pixel at `offset` from the target pixel. A polynomial stands in for Lanczos 2.
+/// Weight of a source pixel at `offset` from the target pixel. A polynomial approximates Lanczos 2.
 float weight(Shape s, vec2 offset)
 {
     float across = s.scale_across * dot(offset, s.across);
